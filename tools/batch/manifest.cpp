@@ -35,7 +35,7 @@ std::string line_of(const std::string& output, const JobRecord& record) {
     return json_string(file.path) + ": " + json_string(file.hash);
   };
   std::string outputs;
-  for (const WrittenFile& file : record.outputs) outputs += (outputs.empty() ? "" : ", ") + write_output(file);
+  for (const WrittenFile& file : record.outputs) append_to_list(outputs, write_output(file));
   return "{\"output\": " + json_string(output) + ", \"job\": " + json_string(record.name) +
          ", \"key\": " + json_string(record.key) + ", \"code\": " + std::to_string(record.code) +
          ", \"warnings\": " + std::to_string(record.warnings) + ", \"seconds\": " + format_rounded(record.seconds, 4) +

@@ -130,6 +130,11 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
+void append_to_list(std::string& list, std::string_view item) {
+  if (!list.empty()) list += ", ";
+  list += item;
+}
+
 std::string to_lower(std::string_view text) {
   std::string lower(text);
   for (char& c : lower)

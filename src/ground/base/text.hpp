@@ -37,6 +37,9 @@ std::string format_rounded(double value, int digits);
 /// Returns the parts of `text` between separators; an empty text has one empty part.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
+/// Adds an item to a list in words: "a", then "a, b".
+void append_to_list(std::string& list, std::string_view item);
+
 std::string to_lower(std::string_view text);
 
 /// Returns the candidate closest to `name` by edit distance, if it is close enough to have been meant.

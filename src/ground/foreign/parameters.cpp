@@ -30,8 +30,7 @@ std::vector<double> choice_value(const Parameter& parameter, const std::string& 
   if (found != parameter.choices.end()) return {static_cast<double>(found - parameter.choices.begin())};
   std::string list;
   for (const std::string& choice : parameter.choices) {
-    if (!list.empty()) list += ", ";
-    list += choice;
+    append_to_list(list, choice);
   }
   refuse_value(where, "'" + text + "' is not one of " + list);
 }

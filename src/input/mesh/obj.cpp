@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
+#include "base/text.hpp"
 #include "mesh/obj_part.hpp"
 #include "mesh/read.hpp"
 #include "mesh/text_cursor.hpp"
@@ -193,7 +194,7 @@ class ObjJoiner {
   void note_ignored() {
     if (ignored_.lines == 0) return;
     std::string list;
-    for (const std::string& keyword : ignored_.keywords) list += (list.empty() ? "" : ", ") + keyword;
+    for (const std::string& keyword : ignored_.keywords) append_to_list(list, keyword);
     soup_.notes.push_back("ignored " + std::to_string(ignored_.lines) + " unsupported lines (" + list +
                           "), the first is line " + std::to_string(1 + ignored_.first_line));
   }

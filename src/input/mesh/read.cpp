@@ -84,7 +84,7 @@ Soup read_soup(std::string bytes, const std::string& name, const std::string& ot
 [[noreturn]] void fail_with_nothing_to_draw(const MeshReport& report) {
   std::string reasons;
   const auto add = [&](int count, const std::string& reason) {
-    if (count > 0) reasons += (reasons.empty() ? "" : ", ") + std::to_string(count) + " " + reason;
+    if (count > 0) append_to_list(reasons, std::to_string(count) + " " + reason);
   };
   add(report.dropped_non_finite, "with coordinates that are not finite");
   add(report.dropped_degenerate, "with fewer than three distinct corners");

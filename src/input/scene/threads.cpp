@@ -111,7 +111,7 @@ const Size& size_of(double diameter, const std::string& quoted, const std::strin
 double pitch_of(const Size& size, std::optional<double> wanted, const std::string& quoted, const std::string& where) {
   std::string known = size.coarse > 0 ? format_number(size.coarse) : "";
   for (const double pitch : size.fine)
-    if (pitch > 0) known += (known.empty() ? "" : ", ") + format_number(pitch);
+    if (pitch > 0) append_to_list(known, format_number(pitch));
   if (!wanted && size.coarse > 0) return size.coarse;
   if (!wanted)
     refuse_input(where, quoted + " has no coarse pitch in ISO 261",

@@ -25,8 +25,7 @@ namespace {
 
 std::string footer_of(const ProgramTexts& texts) {
   std::string codes;
-  for (const ExitCode& exit : texts.exit_codes)
-    codes += (codes.empty() ? "" : ", ") + std::to_string(exit.code) + " " + exit.meaning;
+  for (const ExitCode& exit : texts.exit_codes) append_to_list(codes, std::to_string(exit.code) + " " + exit.meaning);
   return "'" + texts.name + " COMMAND --help' shows more, '" + texts.name +
          " manual' everything. Exit codes: " + codes + ".";
 }

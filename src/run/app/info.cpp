@@ -258,7 +258,7 @@ std::string radii_text(const surfaces::PartFaces& part, surfaces::SurfaceKind ki
   std::size_t listed = 0;
   for (const auto& [key, radius] : radii) {
     if (++listed > max_radii) return text + ", ...";
-    text += (text.empty() ? "" : ", ") + radius.first;
+    append_to_list(text, radius.first);
     if (radius.second > 1) text += " (" + std::to_string(radius.second) + ")";
   }
   return text;

@@ -12,6 +12,7 @@
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/draw_files.hpp"
+#include "base/text.hpp"
 #include "output/json_text.hpp"
 #include "pipeline/targets.hpp"
 
@@ -56,7 +57,7 @@ std::string sentence_of(const std::vector<report::SizeCount>& sizes) {
   if (sizes.empty()) return "sizes: no faces are counted, only overall sizes and places of parts are checked\n";
   std::string text;
   for (const report::SizeCount& one : sizes)
-    text += (text.empty() ? "" : ", ") + std::to_string(one.given) + " of " + std::to_string(one.all) + " " + one.kind;
+    append_to_list(text, std::to_string(one.given) + " of " + std::to_string(one.all) + " " + one.kind);
   if (const int missing = missing_in(sizes); missing > 0)
     text += "; " + std::to_string(missing) + (missing == 1 ? " has none" : " have none");
   return "sizes: " + text + "\n";

@@ -47,7 +47,7 @@ std::string item(const std::string& tag, const std::string& roff) { return ".TP\
 std::string tag_of(const OptionDescription& option) {
   if (option.is_argument()) return italic(option.type);
   std::string tag;
-  for (const std::string& name : option.names) tag += (tag.empty() ? "" : ", ") + bold(name);
+  for (const std::string& name : option.names) append_to_list(tag, bold(name));
   if (option.type.empty()) return tag;
   return tag + (option.takes_word ? " " : "") + italic(option.type);
 }

@@ -38,7 +38,7 @@ std::string number(double value) { return format_rounded(value, digits); }
 
 std::string values_of(std::initializer_list<double> values) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ", ") + number(value);
+  for (const double value : values) append_to_list(text, number(value));
   return text;
 }
 

@@ -235,8 +235,6 @@ std::string write_frame(scene::ToleranceFrame& frame, const ModelRequirement& on
   return "";
 }
 
-void add_above(scene::ToleranceFrame& frame, const std::string& words) {
-  frame.above += (frame.above.empty() ? "" : ", ") + words;
-}
+void add_above(scene::ToleranceFrame& frame, const std::string& words) { append_to_list(frame.above, words); }
 
 }  // namespace epura::pipeline

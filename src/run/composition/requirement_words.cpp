@@ -106,11 +106,11 @@ std::vector<std::pair<std::string, std::string>> requirement_lines(const std::ve
     for (const ModelRequirement& one : requirements) {
       if (one.kind != kind) continue;
       ++types[one.type.empty() ? "of unknown type" : one.type];
-      letters += (letters.empty() ? "" : ", ") + one.datums;
+      append_to_list(letters, one.datums);
     }
     if (types.empty()) continue;
     std::string list;
-    for (const auto& [type, count] : types) list += (list.empty() ? "" : ", ") + std::to_string(count) + " " + type;
+    for (const auto& [type, count] : types) append_to_list(list, std::to_string(count) + " " + type);
     lines.emplace_back(
         word, std::to_string(count_of(requirements, kind)) + ": " + (kind == RequirementKind::datum ? letters : list));
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "base/text.hpp"
 #include "drawing/closed_line.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/freehand.hpp"
@@ -51,7 +52,7 @@ struct Storyteller {
       for (const auto& [begin, end] : hider.parts) {
         const double from = std::max(begin, span.from);
         const double to = std::min(end, span.to);
-        if (from < to) parts += (parts.empty() ? "" : ", ") + in_space(from) + " to " + in_space(to);
+        if (from < to) append_to_list(parts, in_space(from) + " to " + in_space(to));
       }
       if (parts.empty() || ++count > max_named) continue;
       text += "    by face " + name_of(hider.face) + " of " + owner_of(drawn_view.world, hider.face) + ", " +

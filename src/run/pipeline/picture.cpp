@@ -46,7 +46,7 @@ const PartLook& look_of(SetUpPart part) {
 
 std::string list_of(std::initializer_list<double> values) {
   std::string text;
-  for (const double value : values) text += (text.empty() ? "" : ", ") + format_rounded(value, digits);
+  for (const double value : values) append_to_list(text, format_rounded(value, digits));
   return text;
 }
 
@@ -55,8 +55,7 @@ std::string list_of(const Vec3& p) { return list_of({p.x, p.y, p.z}); }
 std::string parameters_of(const Picture& picture, const std::optional<Quantity>& quantity) {
   if (!quantity) return "";
   std::string text;
-  for (const std::string& name : picture.influence[static_cast<std::size_t>(*quantity)])
-    text += (text.empty() ? "" : ", ") + name;
+  for (const std::string& name : picture.influence[static_cast<std::size_t>(*quantity)]) append_to_list(text, name);
   return text;
 }
 

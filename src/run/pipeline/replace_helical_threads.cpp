@@ -114,8 +114,7 @@ bool is_described(const FoundThread& found, const world::World& world, const sce
 // "M6, 2× M8".
 std::string list_of(const std::map<std::string, int>& counts) {
   std::string list;
-  for (const auto& [text, count] : counts)
-    list += (list.empty() ? "" : ", ") + (count > 1 ? std::to_string(count) + "× " : "") + text;
+  for (const auto& [text, count] : counts) append_to_list(list, (count > 1 ? std::to_string(count) + "× " : "") + text);
   return list;
 }
 

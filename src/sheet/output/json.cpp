@@ -123,8 +123,7 @@ void append_curves(std::string& text, const drawing::ViewDrawing& drawing) {
 std::string parameters_of(const projection::Projection& projection) {
   std::string text;
   for (const auto& [name, values] : projection.values) {
-    if (!text.empty()) text += ", ";
-    text += json_string(name) + ": " + (values.size() == 1 ? number(values[0]) : numbers(values));
+    append_to_list(text, json_string(name) + ": " + (values.size() == 1 ? number(values[0]) : numbers(values)));
   }
   return "{" + text + "}";
 }
@@ -374,7 +373,7 @@ std::string report_of(const report::Report& report) {
   if (!report.errors.empty()) text += ",\n  \"error\": " + json_lines(report.errors, error_of_view, "\n   ");
   std::string times;
   for (const auto& [stage, seconds] : report.seconds)
-    times += (times.empty() ? "" : ", ") + json_string(stage) + ": " + number(seconds);
+    append_to_list(times, json_string(stage) + ": " + number(seconds));
   if (!times.empty()) text += ",\n  \"time\": {" + times + "}";
   if (report.verification) text += ",\n  \"verify\": " + verification_of(*report.verification);
   if (!report.conditions.empty())

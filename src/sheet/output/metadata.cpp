@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "output/metadata.hpp"
 
+#include "base/text.hpp"
+
 namespace epura::output {
 
 std::string fact_of(const sheet::Sheet& sheet, std::string_view name) {
@@ -12,8 +14,7 @@ std::string fact_of(const sheet::Sheet& sheet, std::string_view name) {
 std::string description_of(const sheet::Sheet& sheet) {
   std::string text;
   for (const sheet::ViewFrame& view : sheet.views) {
-    if (!text.empty()) text += ", ";
-    text += view.name;
+    append_to_list(text, view.name);
     if (!view.projection.empty() && view.projection != view.name) text += " (" + view.projection + ")";
     if (!view.scale.empty()) text += " " + view.scale;
   }

@@ -413,7 +413,7 @@ void Drafter::add_piercing(const Request& request) {
   std::string names;
   for (const double t : at) {
     const Vec3 p = ends[0] + t * along;
-    names += (names.empty() ? "" : ", ") + name_of(EpuraPoint{plan_of(p), elevation_of(p)});
+    append_to_list(names, name_of(EpuraPoint{plan_of(p), elevation_of(p)}));
   }
   figure_.terms.push_back({names, "where they meet " + line});
 }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "definition/account.hpp"
 #include "definition/part_of_model.hpp"
 #include "definition/words.hpp"
@@ -27,7 +28,7 @@ std::string of_faces(std::ptrdiff_t count) { return std::to_string(count) + (cou
 
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  for (const std::string& name : names) append_to_list(text, name);
   return text;
 }
 
