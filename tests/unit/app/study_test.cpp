@@ -101,7 +101,7 @@ TEST(MaxError, IsRefusedAtOnceWhereNothingIsCertain) {
 // What a refusal tells to ask for is kept, whatever was asked for before.
 TEST(MaxError, IsKeptAtTheValueOfTheHint) {
   const Folder folder;
-  for (const std::string model : {sample("elbow.obj"), sample("shaft.obj"), sample("flange.obj"),
+  for (const std::string& model : {sample("elbow.obj"), sample("shaft.obj"), sample("flange.obj"),
                                   std::string(EPURA_TEST_SAMPLES "/step/clamp.step")})
     for (const char* asked : {"0.0006", "0.001", "0.01"}) {
       const auto draw = [&](const std::string& allowed) {
