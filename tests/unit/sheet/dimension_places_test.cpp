@@ -480,5 +480,49 @@ TEST(DimensionPlaces, LeadersGoThroughNoOtherHole) {
   EXPECT_FALSE(sheet::goes_through({{5, 0}, {40, 0}}, {{0, 0}, 50})) << "all is in it";
 }
 
+// The outline of a plate turns around a fillet of radius 2, inside of which three studs leave no way for a leader.
+TEST(DimensionPlaces, LeadersToFilletsComeFromTheOpenSide) {
+  Shape part;
+  std::vector<Vec2> outline{{-40, -40}, {40, -40}, {40, 0}};
+  std::vector<Vec3> arc;
+  for (int i = 0; i <= 8; ++i) {
+    const double angle = -std::numbers::pi / 2 * (1 + i / 8.0);
+    arc.emplace_back(2 + 2 * std::cos(angle), 2 + 2 * std::sin(angle), 5);
+  }
+  for (const Vec3& p : arc) outline.emplace_back(p);
+  for (const Vec2& p : {Vec2(0, 40), Vec2(-40, 40)}) outline.push_back(p);
+  const int corners = static_cast<int>(outline.size());
+  std::vector<int> bottom, top;
+  for (int i = 0; i < 2 * corners; ++i) {
+    const Vec2& corner = outline[static_cast<std::size_t>(i % corners)];
+    part.points.push_back({corner.x, corner.y, i < corners ? 0.0 : 5.0});
+    if (i < corners) {
+      part.faces.push_back({i, (i + 1) % corners, corners + (i + 1) % corners, corners + i});
+      bottom.insert(bottom.begin(), i);
+    } else {
+      top.push_back(i);
+    }
+  }
+  part.faces.push_back(bottom);
+  part.faces.push_back(top);
+  for (const double degrees : {195.0, 225.0, 255.0}) {
+    const double angle = degrees * std::numbers::pi / 180;
+    part.add(cylinder(32, 3.9, 3).moved(2 + 12 * std::cos(angle), 2 + 12 * std::sin(angle), 5));
+  }
+  const world::World world = placed(part);
+  const drawing::ViewDrawing above = drawing_of(world, from_above());
+  const std::vector<sheet::Disc> studs = sheet::discs_of(above);
+  ASSERT_EQ(studs.size(), 3U);
+  scene::DimensionDescription fillet = dimension("radius", {});
+  fillet.circle = {Vec3(2, 2, 5), Vec3(0, 0, 1), 2, arc};
+  const sheet::Layer layer = layer_of(world, above, {fillet});
+  const std::vector<Vec2>& leader = layer.strokes.at(0).points;
+  ASSERT_GE(leader.size(), 2U);
+  for (const sheet::Disc& stud : studs) {
+    EXPECT_FALSE(sheet::goes_through({leader[0], leader[1]}, stud));
+    EXPECT_FALSE(sheet::goes_through({leader[1], leader[0]}, stud));
+  }
+}
+
 }  // namespace
 }  // namespace epura::test::dimension_places_test

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -89,7 +90,7 @@ void add_labels(std::vector<DimensionPlacement>& placements, const MeasuredCircl
 }  // namespace
 
 std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, const MeasuredDimension& measured,
-                                              const drawing::ViewDrawing&, const DimensionStyle& style) {
+                                              const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
   std::vector<DimensionPlacement> placements;
   if (circle.is_label) add_labels(placements, circle, measured.text, style);
   const bool whole = std::abs(circle.sweep) >= 2 * std::numbers::pi;
@@ -107,10 +108,14 @@ std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, cons
       add(*measured.offset, 0);
       continue;
     }
+    bool from_inside = circle.is_radius;
     for (int k = 0; k < lengths; ++k) {
-      const double length = shortest_leader_of_circle + longer_leader * k;
+      const double length = shortest_leader_of_circle + longer_leader * k, past = length - circle.radius;
       add(length, cost_of_length * length + (circle.is_label ? cost_of_label_leader : 0));
-      if (circle.is_radius && length <= circle.radius) add(-length, cost_of_inside + cost_of_length * length);
+      // Past the centre only over free paper, to which fillets are open.
+      const TurnedBox beyond = line_box(circle.centre, circle.centre - std::max(past, 0.0) * direction);
+      from_inside = from_inside && (past <= 0 || ink_in(beyond, drawing) == 0);
+      if (from_inside) add(-length, cost_of_inside + cost_of_length * length);
     }
     if (!circle.is_radius && !circle.is_label && !circle.spokes && whole)
       add_across(placements, circle, measured.text, angle, style);
