@@ -127,8 +127,10 @@ std::vector<LevelFeature> merged(std::vector<LevelFeature> levels, const world::
   const Box box = box_of_faces(world);
   std::vector<LevelFeature> places;
   for (LevelFeature& level : levels) {
-    const bool is_end = level.at <= box.min[level.axis] + slack || level.at >= box.max[level.axis] - slack;
-    if (is_end) continue;
+    const auto is_at_end = [&](const Vec3& p) {
+      return p[level.axis] <= box.min[level.axis] + slack || p[level.axis] >= box.max[level.axis] - slack;
+    };
+    if (std::any_of(level.points.begin(), level.points.end(), is_at_end)) continue;
     const auto same = std::find_if(places.begin(), places.end(), [&](const LevelFeature& other) {
       return other.axis == level.axis && std::abs(other.at - level.at) <= slack;
     });

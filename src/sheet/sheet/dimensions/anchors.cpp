@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "sheet/dimensions/rims.hpp"
+#include "world/placed_part.hpp"
 
 namespace epura::sheet {
 
@@ -93,11 +94,24 @@ void expect_offset(const AnchoredDimension& dimension) {
 struct Asked {
   Rims rims;
   std::optional<std::array<features::Extent, 3>> extents{};
+  std::optional<double> unevenness{};
 };
+
+// How far the ends of lines may be from those of the world: a view shows either end of a plane face whose vertices lie
+// on both sides of its plane.
+double unevenness_of(const world::World& world) {
+  double largest = 0;
+  for (const world::Placed& placed : world.models)
+    if (const auto part = world::place_part(placed))
+      for (const surfaces::PartFace& face : part->faces)
+        if (face.surface.kind == surfaces::SurfaceKind::plane) largest = std::max(largest, 2 * face.residual);
+  return 2 * largest;
+}
 
 void set_extent(AnchoredDimension& dimension, const world::World& world, Asked& asked) {
   const int axis = axis_of(*dimension.direction);
   if (!asked.extents) asked.extents = features::true_extents(world);
+  if (!asked.unevenness) asked.unevenness = unevenness_of(world);
   const features::Extent& extent = (*asked.extents)[axis];
   const Box box = features::box_of_faces(world);
   dimension.points = {box.min, box.max};
@@ -105,6 +119,7 @@ void set_extent(AnchoredDimension& dimension, const world::World& world, Asked& 
   dimension.points[1][axis] = extent.to;
   dimension.form = extent.form;
   dimension.beyond_vertices = extent.size() - box.size()[axis];
+  dimension.unevenness = *asked.unevenness;
 }
 
 std::optional<Tolerance> tolerance_of(const scene::DimensionDescription& description) {

@@ -42,7 +42,8 @@ struct AnchoredDimension {
   std::optional<Tolerance> tolerance{};
   features::ExtentForm form = features::ExtentForm::length;  ///< of overall dimensions
   bool is_label = false;                                     ///< diameter: of a hole whose position is in a table
-  double beyond_vertices = 0;                         ///< how much more they measure than the mesh, which is drawn
+  double beyond_vertices = 0;  ///< how much more they measure than the mesh, which is drawn
+  double unevenness = 0;       ///< how much less ink may show of them, as faces are not quite plane
   std::optional<DimensionArrangement> arrangement{};  ///< of a linear dimension between several places
   std::string name{};                                 ///< by which datums and frames refer to it; may be empty
   std::optional<scene::StatedValue> stated{};         ///< instead of the measured value

@@ -370,7 +370,7 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
   // line may be drawn slightly displaced, or replaced by another.
   const double beside =
       2 * (sight.drawing.distances.contours_moved + sight.drawing.distances.joined_within) / glm::length(image);
-  const double least = value - dimension.beyond_vertices - beside;
+  const double least = value - dimension.beyond_vertices - dimension.unevenness - beside;
   if (!(drawn > 0) || drawn < least - whole_ink * value || drawn > value + beside + whole_ink * value)
     refuse_measure(dimension, "the view does not show all of the models along this axis",
                    "omit --near and --far, and include contour in --edges");
