@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -172,7 +173,8 @@ const std::vector<FormColumn>& form_columns() {
   using In = const Ledger&;
   static const std::vector<FormColumn> all{
       {"5. Char. No.", [](In, One one) { return std::to_string(one.characteristic); }},
-      {"6. Reference Location", [](In in, One one) { return in.model + " " + one.id; }},
+      {"6. Reference Location",
+       [](In in, One one) { return std::filesystem::path(in.model).filename().string() + " " + one.id; }},
       {"7. Characteristic Designator", left_blank},
       {"8. Requirement", [](In, One one) { return pipeline::requirement_sentence(one); }},
       {"9. Results", left_blank},
