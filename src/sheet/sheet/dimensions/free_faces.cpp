@@ -55,23 +55,6 @@ FreeFaces find_free_faces(std::span<const DimensionsInView> views, const world::
   const definition::Unknowns unknowns(drawn.part, directions);
   const auto rules = definition::state_rules(drawn.part, directions, unknowns, drawn.marks, definition::Standard::iso);
   const FaceStatements said = state_dimensions(views, drawn, directions, unknowns, notation);
-  if (getenv("DBG")) {
-    for (auto& s : said.statements) {
-      printf("  ST %s certain %d\n", s.name.c_str(), s.is_certain);
-      for (auto& r : s.rows) {
-        printf("     ");
-        for (auto& t : r)
-          printf(" %.3f*[f%d k%d (%.2f %.2f %.2f)]", t.factor, unknowns[t.unknown].face, int(unknowns[t.unknown].kind),
-                 unknowns[t.unknown].along.x, unknowns[t.unknown].along.y, unknowns[t.unknown].along.z);
-        printf("\n");
-      }
-    }
-    for (auto& l : drawn.marks.symmetries) printf("  SYM %d: %d %d\n", l.face, l.pairs[0][0], l.pairs[0][1]);
-    for (std::size_t i = 0; i < drawn.part.faces.size(); ++i)
-      printf("  F%zu kind %d n %.2f %.2f %.2f at %.2f %.2f %.2f\n", i, int(drawn.part.faces[i].surface.kind),
-             drawn.part.faces[i].surface.axis.x, drawn.part.faces[i].surface.axis.y, drawn.part.faces[i].surface.axis.z,
-             drawn.part.faces[i].at.x, drawn.part.faces[i].at.y, drawn.part.faces[i].at.z);
-  }
   const Account account = definition::take_account(drawn.part, unknowns, rules, said.statements);
   const auto of_model = account.states.begin() + static_cast<std::ptrdiff_t>(drawn.faces);
   const auto uncertain = std::count(account.states.begin(), of_model, FaceState::uncertain);
