@@ -56,6 +56,10 @@ tree input/mesh/a.cpp 'namespace epura {\nint x;\n}  // namespace epura\n'
 expect fails "a file outside the namespace of its folder" style
 tree input/mesh/a.cpp 'namespace epura::mesh {\nint x;\n}  // namespace epura::mesh\n'
 expect passes "a file in the namespace of its folder" style
+tree input/mesh/a.cpp '#include <cstdio>\n\nvoid f() { printf("x"); }\n'
+expect fails "a stage that prints" style
+tree run/app/a.cpp '#include <cstdio>\n\nvoid f() { std::printf("x"); }\n'
+expect passes "a command that prints" style
 tree input/mesh/a.cpp 'constexpr double near = 4;\n'
 expect passes "a limit in a folder without a header of limits" style
 printf '%b#pragma once\n\ninline constexpr double far = 8;\n' "$licence" >"$scratch/tree/src/input/mesh/limits.hpp"

@@ -55,6 +55,12 @@ scattered_limits() {
   done
 }
 
+# Stages take and return values. Commands and programs of their own print, and the folders of a user are in the environment.
+impure_stages() {
+  grep -rnE '(^|[^a-z_])(printf|fprintf|puts|getenv)\(|std::(cout|cerr|clog)' src --include='*.[ch]pp' |
+    grep -vE '^src/(run/app/|run/library/make_|input/importer/host\.cpp|ground/foreign/folders\.cpp)'
+}
+
 mapfile -t files < <(sources)
 if [ ${#files[@]} -eq 0 ]; then
   echo "style: no sources under $root" >&2
@@ -66,6 +72,7 @@ complain "functions longer than 70 lines" "$(long_functions "${files[@]}")"
 complain "files without a licence" "$(grep -L 'SPDX-License-Identifier: Apache-2.0' "${files[@]}")"
 complain "files outside the namespace of their folder" "$(foreign_namespaces)"
 complain "limits elsewhere than in the limits.hpp of their folder" "$(scattered_limits)"
+complain "stages that print, or read the environment" "$(impure_stages)"
 complain "types of one name" "$(repeated_types "${files[@]}")"
 complain "headers without a guard" \
   "$(printf '%s\n' "${files[@]}" | grep -E '\.(hpp|h)$' | xargs -r grep -L -e '#pragma once' -e '#ifndef')"
