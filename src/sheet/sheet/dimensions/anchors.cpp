@@ -97,15 +97,15 @@ struct Asked {
   std::optional<double> unevenness{};
 };
 
-// How far the ends of lines may be from those of the world: a view shows either end of a plane face whose vertices lie
-// on both sides of its plane.
+// How far the ends of lines may be from those of the world, at both ends together: a view shows either end of a plane
+// face whose vertices lie on both sides of its plane.
 double unevenness_of(const world::World& world) {
   double largest = 0;
   for (const world::Placed& placed : world.models)
     if (const auto part = world::place_part(placed))
       for (const surfaces::PartFace& face : part->faces)
-        if (face.surface.kind == surfaces::SurfaceKind::plane) largest = std::max(largest, 2 * face.residual);
-  return 2 * largest;
+        if (face.surface.kind == surfaces::SurfaceKind::plane) largest = std::max(largest, face.residual);
+  return 4 * largest;
 }
 
 void set_extent(AnchoredDimension& dimension, const world::World& world, Asked& asked) {
