@@ -45,6 +45,14 @@ Mat4 plane_matrix(const Projection& projection);
 ///             seed 000 except for scale and offset.
 Mat4 view_matrix(const Projection& projection);
 
+/// The projection whose picture a matrix makes: the matrix takes a point, as a column vector, to (row0/row3,
+/// row1/row3), lengths on the page as in `scale`. Parallel if the first three numbers of row 3 are 0; then row 2 grows
+/// towards the viewer. Any such matrix is a parallel projection onto some plane (Pohlke's theorem); of the two planes
+/// on which it is a similarity, either gives the same picture. Otherwise, row 3 is positive in front of the viewer, and
+/// the plane is parallel to that where it is 0. Throws Error{input} for numbers that are not finite, for a picture that
+/// is flat, mirrored or, if central, stretched.
+Projection projection_of_matrix(const Mat4& matrix);
+
 /// Returns where lines along the three world axes meet on the plane, in (u, v): M (axis, 0). Nothing for an axis
 /// parallel to the plane (cosine to the normal at most 1e-12), or for parallel projectors.
 std::array<std::optional<Vec2>, 3> vanishing_points(const Projection& projection);
