@@ -31,7 +31,7 @@ epura_install_manual(epura epura)
 epura_install_manual(epura-study study)
 
 set(package ${CMAKE_INSTALL_LIBDIR}/cmake/epura)
-install(TARGETS epura_plugin epura_library EXPORT epura-targets
+install(TARGETS epura_plugin epura_library epura_hlr EXPORT epura-targets
         LIBRARY COMPONENT library NAMELINK_COMPONENT development)
 install(DIRECTORY include/epura DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 
@@ -44,8 +44,10 @@ install(EXPORT epura-targets NAMESPACE epura:: DESTINATION ${package} COMPONENT 
 
 set(pkgconfig ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 string(REGEX REPLACE "[^/]+" ".." EPURA_PREFIX_FROM_PC ${pkgconfig})
-configure_file(cmake/epura.pc.in epura.pc @ONLY)
-install(FILES ${CMAKE_CURRENT_BINARY_DIR}/epura.pc DESTINATION ${pkgconfig} COMPONENT development)
+foreach(name IN ITEMS epura epura-hlr)
+  configure_file(cmake/epura.pc.in ${name}.pc @ONLY)
+endforeach()
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/epura.pc ${CMAKE_CURRENT_BINARY_DIR}/epura-hlr.pc DESTINATION ${pkgconfig} COMPONENT development)
 
 if(EPURA_DEBIAN)
   include(EpuraDebian)

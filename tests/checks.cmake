@@ -10,7 +10,9 @@ add_test(NAME gallery_page_is_fresh
 # Whatever links to a sanitized library must be sanitized, too: strangers' projects are not.
 if(NOT EPURA_SANITIZE)
   add_test(NAME library_symbols COMMAND ${CMAKE_CURRENT_LIST_DIR}/symbols.sh $<TARGET_FILE:epura_library>
-           libepura.so.${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+           libepura.so.${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} library.symbols)
+  add_test(NAME hlr_symbols COMMAND ${CMAKE_CURRENT_LIST_DIR}/symbols.sh $<TARGET_FILE:epura_hlr> libepura-hlr.so.1
+           hlr.symbols)
   add_test(NAME cpp_page_runs COMMAND ${CMAKE_CURRENT_LIST_DIR}/cpp_page.sh $<TARGET_FILE:epura_library>
            ${PROJECT_BINARY_DIR}/include)
   add_test(NAME sdk_works COMMAND ${CMAKE_CURRENT_LIST_DIR}/sdk.sh ${CMAKE_BINARY_DIR})

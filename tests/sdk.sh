@@ -121,6 +121,11 @@ if make_it "$samples/library" library; then
   grep -q 'missing/x.svg' log || complain "a failure does not name its file: $(cat log)"
 fi
 
+# Hidden lines in memory, from a program in C.
+if make_it "$samples/hlr" curves; then
+  { curves/curves >curves.svg && [ "$(grep -c polyline curves.svg)" -gt 10 ]; } || complain "curves are not drawn"
+fi
+
 # By hand, with the flags of pkg-config, and by the other compiler.
 PKG_CONFIG_PATH=$(dirname "$(find "$scratch/prefix" -name epura.pc)")
 export PKG_CONFIG_PATH
@@ -132,6 +137,11 @@ try cc -shared -fPIC "${flags[@]}" "$samples/plugin-c/worms-eye.c" -o by-hand.so
   try "$epura" plugins check by-hand.so
 try $compiler -std=c++20 "${flags[@]}" "$samples/library/sheet.cpp" "${libraries[@]}" \
   -Wl,-rpath,"$(pkg-config --variable=libdir epura)" -o by-hand && same_drawing ./by-hand dxf
+
+read -ra libraries < <(pkg-config --libs epura-hlr)
+try cc -std=c99 -Wall -Wextra -Werror "${flags[@]}" "$samples/hlr/curves.c" "${libraries[@]}" -lm \
+  -Wl,-rpath,"$(pkg-config --variable=libdir epura-hlr)" -o curves-by-hand && ./curves-by-hand | cmp - curves.svg ||
+  complain "curves by hand differ"
 
 # The module for Python, on this library.
 if [ -f "$(find "$scratch/prefix" -path '*/cmake/epura/_parts.py')" ]; then

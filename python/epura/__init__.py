@@ -9,6 +9,8 @@
                         dimensions=[epura.Dimension(type="auto")])
     epura.draw(scene).save("part.pdf")
 
+    epura.hlr(vertices, faces, direction=(1, -1, 1)).visible  # without a sheet: arrays of points, in units of the model
+
 `epura.projection`: projections written in Python. `epura.testing`: drawings in tests.
 """
 
@@ -17,15 +19,16 @@ from ._compare import Comparison, compare
 from ._draw import draw
 from ._drawing import KINDS, Arc, DrawnView, Drawing, Layer
 from ._errors import Error, InputError, OutputError, PluginError, TimeError
+from ._hlr import Curve, Curves, EdgeArc, hlr
 from ._models import Model
 from ._parts import (BrokenOut, Datum, Detail, Dimension, Explode, Note, PartsList, Revision, Revolved, Section, Sheet, Style,
                      SurfaceTexture, Table, ToleranceFrame, View)
 from ._scene import Scene
 
 __all__ = [
-    "Arc", "BrokenOut", "Comparison", "Datum", "Detail", "Dimension", "Drawing", "DrawnView", "Error", "Explode",
+    "Arc", "BrokenOut", "Comparison", "Curve", "Curves", "Datum", "Detail", "Dimension", "Drawing", "DrawnView", "EdgeArc", "Error", "Explode",
     "InputError", "KINDS", "Layer", "Model", "Note", "OutputError", "PartsList", "PluginError", "Revision", "Revolved", "Scene",
-    "Section", "Sheet", "Style", "SurfaceTexture", "Table", "TimeError", "ToleranceFrame", "View", "compare", "draw",
+    "Section", "Sheet", "Style", "SurfaceTexture", "Table", "TimeError", "ToleranceFrame", "View", "compare", "draw", "hlr",
     "projection",
 ]
 __version__: str = _core.version()

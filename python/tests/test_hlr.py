@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Curves of shapes in memory."""
+import re
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import epura
+from shapes import FACES, SAMPLES, VERTICES
+
+
+def length(curves):
+    return sum(np.linalg.norm(np.diff(points, axis=0), axis=1).sum() for points in curves)
+
+
+def test_cube_has_nine_visible_edges_and_three_hidden_ones():
+    curves = epura.hlr(VERTICES, FACES)
+    edge = 9 * np.sqrt(2 / 3)
+    assert length(curves.visible) == pytest.approx(9 * edge)
+    assert length(curves.hidden) == pytest.approx(3 * edge)
+    assert {curve.kind for curve in curves.curves} <= {"contour", "crease"}
+
+
+def test_points_lie_where_the_matrix_says():
+    curves = epura.hlr(VERTICES, FACES, eye=(30, -40, 25), target=(4, 4, 4))
+    seen = np.c_[VERTICES, np.ones(8)] @ curves.matrix.T
+    corners = seen[:, :2] / seen[:, 3:]
+    for curve in curves.curves:
+        for end in curve.points[[0, -1]]:
+            if curve.visible:  # from corner to corner, or to where another edge hides it
+                assert np.linalg.norm(corners - end, axis=1).min() < 1e-6
+
+
+def test_matrix_is_taken_as_it_is():
+    matrix = np.array([[2, 0, 0, 5], [0, 2, 0, 7], [0, 0, 1, 0], [0, 0, 0, 1.0]])
+    curves = epura.hlr(VERTICES, FACES, matrix=matrix, hidden=False)
+    points = np.concatenate(curves.visible)
+    assert points.min(axis=0) == pytest.approx([5, 7]) and points.max(axis=0) == pytest.approx([23, 25])
+    assert curves.matrix[:2] == pytest.approx(matrix[:2])
+    assert not curves.hidden
+
+
+def test_rims_become_arcs():
+    n = 48
+    angles = 2 * np.pi * np.arange(n) / n
+    rim = np.stack([5 * np.cos(angles), 5 * np.sin(angles)], axis=1)
+    points = np.concatenate([np.c_[rim, np.zeros(n)], np.c_[rim, np.full(n, 8)]])
+    faces = [list(range(n))[::-1], list(range(n, 2 * n))]
+    faces += [[i, (i + 1) % n, n + (i + 1) % n, n + i] for i in range(n)]
+    curves = epura.hlr(points, faces, direction=(0, 0, 1), up=(0, 1, 0), arcs=0.01, hidden=False)
+    arcs = [curve.arc for curve in curves.curves if curve.arc]
+    assert sum(abs(arc.end - arc.start) for arc in arcs) == pytest.approx(2 * np.pi)
+    assert all(np.hypot(*arc.u) == pytest.approx(5) for arc in arcs)
+
+
+def test_objects_of_other_libraries_are_taken():
+    expected = length(epura.hlr(VERTICES, FACES).visible)
+    assert length(epura.hlr(SimpleNamespace(vertices=VERTICES, faces=FACES)).visible) == pytest.approx(expected)
+    solid = SimpleNamespace(tessellate=lambda tolerance: (VERTICES.tolist(), FACES.tolist()))  # as FreeCAD and CadQuery
+    assert length(epura.hlr(solid).visible) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("wrong, place", [
+    ({"matrix": np.eye(3)}, "matrix"), ({"matrix": np.diag([1, 1, -1, 1])}, "matrix"), ({"kinds": ["outline"]}, "kinds"),
+    ({"up": (1, -1, 1)}, "view"), ({"direction": "up"}, "direction"), ({"surfaces": "none"}, "surfaces"),
+    ({"arcs": -1}, "arcs"), ({"faces": [[0, 1, 99]]}, "sink")])
+def test_wrong_input_is_named(wrong, place):
+    with pytest.raises(epura.InputError) as error:
+        epura.hlr(VERTICES, **{"faces": FACES, **wrong})
+    assert error.value.place == place
+
+
+def test_blocks_of_the_page_run(capsys):
+    page = (SAMPLES.parent / "docs" / "hlr.md").read_text()
+    for block in re.findall(r"^```python\n(.*?)^```$", page, re.M | re.S):
+        exec(compile(block, "docs/hlr.md", "exec"), {})
+    assert re.fullmatch(r"\d+ visible, \d+ hidden\n", capsys.readouterr().out)

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+// The plain C functions of hidden-line removal in memory.
+#include <epura/hlr.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <new>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "base/parallel.hpp"
+#include "base/progress.hpp"
+#include "drawing/drawing.hpp"
+#include "hlr/curves.hpp"
+#include "hlr/model.hpp"
+#include "importer/sink.hpp"
+#include "projection/answer.hpp"
+#include "projection/matrices.hpp"
+#include "views/draw_view.hpp"
+
+using namespace epura;
+
+struct epura_hlr_model {
+  std::optional<importer::DocumentSink> sink;  ///< until it is finished
+  std::optional<hlr::Model> finished;
+};
+
+struct epura_hlr_drawing {
+  hlr::Curves content;
+  std::string cut;
+  epura_hlr_result result;
+};
+
+namespace {
+
+// Longest side of a drawing whose scale is not given.
+constexpr double usual_side_mm = 1000;
+
+template <std::size_t size>
+void put(char (&to)[size], std::string_view text) {
+  const std::size_t length = text.copy(to, size - 1);
+  to[length] = '\0';
+}
+
+int fail(epura_hlr_error* error, int code, std::string_view place, std::string_view reason, std::string_view remedy) {
+  if (error == nullptr || error->size < sizeof(epura_hlr_error)) return code;
+  error->code = static_cast<std::uint32_t>(code);
+  put(error->place, place);
+  put(error->reason, reason);
+  put(error->remedy, remedy);
+  return code;
+}
+
+// Returns EPURA_HLR_DONE or the code of what `work` throws.
+template <class Work>
+int guarded(epura_hlr_error* error, const Work& work) noexcept {
+  try {
+    fail(error, EPURA_HLR_DONE, "", "", "");
+    work();
+    return EPURA_HLR_DONE;
+  } catch (const Error& wrong) {
+    std::string_view reason = wrong.what();
+    if (const std::string place = wrong.where() + ": "; reason.starts_with(place)) reason.remove_prefix(place.size());
+    return fail(error, static_cast<int>(wrong.kind()), wrong.where(), reason, wrong.hint());
+  } catch (const OutOfTime& cut) {
+    return fail(error, EPURA_HLR_TIME, "time_limit",
+                "time ran out at '" + cut.stage + "', before there was anything to show", "allow more time");
+  } catch (const Stopped&) {
+    return fail(error, EPURA_HLR_STOPPED, "progress", "the call was stopped", "");
+  } catch (const std::bad_alloc&) {
+    return fail(error, EPURA_HLR_INPUT, "", "not enough memory for this model", "");
+  } catch (const std::logic_error& broken) {
+    return fail(error, EPURA_HLR_BROKEN, "", broken.what(),
+                "the fault is in epura, not in the input: please report it");
+  } catch (const std::exception& wrong) {
+    return fail(error, EPURA_HLR_INPUT, "", wrong.what(), "");
+  } catch (...) {
+    return fail(error, EPURA_HLR_INPUT, "progress", "throws an exception across the C interface", "");
+  }
+}
+
+void expect(bool condition, const std::string& place, const std::string& reason, const std::string& remedy) {
+  if (!condition) throw Error(ErrorKind::input, place, reason, remedy);
+}
+
+template <class Struct>
+void expect_size(const Struct& given, const std::string& place) {
+  expect(given.size >= sizeof(Struct), place, "has the size " + std::to_string(given.size),
+         "set size to sizeof, at least " + std::to_string(sizeof(Struct)));
+}
+
+int threads_of(std::uint32_t threads) {
+  return static_cast<int>(std::min<std::uint32_t>(threads, std::numeric_limits<int>::max()));
+}
+
+void finish(epura_hlr_model& model, const epura_hlr_settings& settings) {
+  expect_size(settings, "settings");
+  expect(model.sink.has_value(), "model", "is finished already", "begin a new one");
+  expect(model.sink->fault().empty(), "sink", "a call " + model.sink->fault(), "");
+  const ThreadLimit limit(threads_of(settings.threads));
+  model.finished = hlr::make_model(model.sink->document(), settings.is_mesh != 0);
+  model.sink.reset();
+}
+
+projection::Projection answered(const epura_view& view, const std::string& place) {
+  const std::string fault = projection::fault_of(view);
+  expect(fault.empty(), place, fault, "");
+  return projection::projection_of(view);
+}
+
+projection::Projection projected(const epura_projection& row, const double* given, const Box& box) {
+  expect_size(row, "projection");
+  expect(row.project != nullptr && (row.parameter_count == 0 || row.parameters != nullptr), "projection",
+         "has no function or no parameters", "");
+  std::vector<double> values;
+  for (std::uint32_t i = 0; i < row.parameter_count; ++i) {
+    const auto& parameter = foreign::row_of(row.parameters, i, "the projection");
+    expect(parameter.count <= std::size(parameter.initial), "projection", "has a parameter with too many numbers", "");
+    values.insert(values.end(), parameter.initial, parameter.initial + parameter.count);
+  }
+  if (given != nullptr) std::copy_n(given, values.size(), values.begin());
+  const projection::PluginAnswer answer = projection::call_plugin(row, values, box);
+  expect(!answer.refusal, "values", answer.refusal.value_or(""), "");
+  return answered(answer.view, "projection");
+}
+
+projection::Projection projection_of(const epura_hlr_request& request, const Box& box) {
+  const int given = (request.view != nullptr) + (request.matrix != nullptr) + (request.projection != nullptr);
+  expect(given == 1, "request", given == 0 ? "gives no projection" : "gives several projections",
+         "set one of view, matrix and projection");
+  if (request.projection != nullptr) return projected(*request.projection, request.values, box);
+  if (request.view != nullptr) {
+    expect_size(*request.view, "view");
+    return answered(*request.view, "view");
+  }
+  const std::span<const double, 16> m(request.matrix, 16);
+  return projection::projection_of_matrix(rows({m[0], m[1], m[2], m[3]}, {m[4], m[5], m[6], m[7]},
+                                               {m[8], m[9], m[10], m[11]}, {m[12], m[13], m[14], m[15]}));
+}
+
+void expect_numbers(const epura_hlr_request& request) {
+  const auto expect_in = [](double value, double most, const std::string& place) {
+    expect(value >= 0 && value <= most, place, "is not from 0 to " + std::to_string(static_cast<int>(most)), "");
+  };
+  expect_in(request.crease_angle, 180, "crease_angle");
+  expect_in(request.join_within, 1000, "join_within");
+  expect_in(request.arcs, 1000, "arcs");
+  for (const auto& [value, place] : {std::pair(request.scale, "scale"), std::pair(request.time_limit, "time_limit")})
+    expect(value >= 0 && std::isfinite(value), place, "is negative or not finite", "0 stands for: not given");
+  constexpr std::uint32_t known = EPURA_HLR_USUAL | EPURA_HLR_TANGENT | EPURA_HLR_SMOOTH;
+  expect((request.kinds & ~known) == 0, "kinds", "has a kind of line that is not known", "");
+}
+
+pipeline::ViewOptions options_of(const epura_hlr_request& request) {
+  const std::uint32_t kinds = request.kinds == 0 ? std::uint32_t{EPURA_HLR_USUAL} : request.kinds;
+  const auto has = [kinds](EdgeKind kind) { return (kinds & hlr::number_of(kind)) != 0; };
+  pipeline::ViewOptions options;
+  options.name = "view";
+  options.edges = {.contour = has(EdgeKind::contour),
+                   .boundary = has(EdgeKind::boundary),
+                   .crease = has(EdgeKind::crease),
+                   .intersection = has(EdgeKind::intersection),
+                   .wire = has(EdgeKind::wire),
+                   .tangent = has(EdgeKind::tangent),
+                   .smooth = has(EdgeKind::smooth)};
+  if (request.crease_angle > 0) options.edges.crease_angle = options.edges.part_angle = request.crease_angle;
+  options.join_within = request.join_within;
+  if (request.arcs > 0) options.arcs = request.arcs;
+  sheet::BodyStyle style;
+  if (request.only_visible != 0) style.hidden = HiddenLines::none;
+  options.styles.of_model = {{style}};
+  return options;
+}
+
+std::unique_ptr<epura_hlr_drawing> draw(const epura_hlr_model& model, const epura_hlr_request& request) {
+  expect_size(request, "request");
+  expect_numbers(request);
+  expect(model.finished.has_value(), "model", "is not finished", "call epura_hlr_finish first");
+  const world::World& world = model.finished->world;
+  const ThreadLimit limit(threads_of(request.threads));
+  std::stop_source stop;
+  ProgressBoard board;
+  const auto tell = [&](const std::string& stage, double done) {
+    if (request.progress != nullptr && request.progress(request.host, stage.c_str(), done) != 0) stop.request_stop();
+  };
+  board.observe({tell, stop.get_token()});
+  const Progress progress(board, request.time_limit > 0 ? std::optional(request.time_limit) : std::nullopt);
+  const pipeline::ViewOptions options = options_of(request);
+  view::ProjectedScene seen = view::project_scene(world, projection_of(request, world.box), options.limits);
+  const double enlarged = seen.projection.scale;
+  // A single point has no extent.
+  const double side = seen.extent / seen.map.normalisation * enlarged;
+  const double scale = request.scale > 0 ? request.scale : side > 0 ? usual_side_mm / side : 1;
+  const Vec2 shift = scale / seen.map.normalisation * (seen.map.image + seen.middle);
+  std::optional<world::FacetHeights> heights;
+  if (request.finds_error != 0) heights = world::facet_heights(world, progress);
+  const pipeline::ViewInput input{world, nullptr, options, {scale, shift},
+                                  {},    {},      nullptr, heights ? &*heights : nullptr};
+  pipeline::Stopwatch watch;
+  const pipeline::ViewResult found =
+      pipeline::draw_view(input, std::move(seen), {progress, progress.with_part_of_the_time(0.9)}, watch);
+  auto made = std::make_unique<epura_hlr_drawing>();
+  made->content = hlr::curves_of(*model.finished, found.drawing, scale);
+  if (!found.partial.stages.empty()) made->cut = found.partial.stages.front();
+  epura_hlr_result& result = made->result;
+  result = {sizeof(epura_hlr_result),
+            sizeof(epura_hlr_curve),
+            made->content.curves.size(),
+            made->content.curves.data(),
+            made->content.points.size() / 2,
+            made->content.points.data(),
+            {},
+            found.error ? found.error->total() / scale : std::nan(""),
+            made->cut.empty() ? nullptr : made->cut.c_str()};
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column)
+      result.matrix[4 * row + column] = found.drawing.world_to_page[column][row] / (row < 3 ? scale : 1);
+  return made;
+}
+
+}  // namespace
+
+std::uint32_t epura_hlr_version(void) { return EPURA_HLR_VERSION; }
+
+epura_hlr_model* epura_hlr_model_new(std::uint32_t version) {
+  if (version != EPURA_HLR_VERSION) return nullptr;
+  epura_hlr_model* model = nullptr;
+  guarded(nullptr, [&] {
+    auto made = std::make_unique<epura_hlr_model>();
+    made->sink.emplace([](double) {});
+    model = made.release();
+  });
+  return model;
+}
+
+void epura_hlr_model_free(epura_hlr_model* model) { delete model; }
+
+const epura_sink* epura_hlr_sink(epura_hlr_model* model) {
+  return model == nullptr || !model->sink ? nullptr : &model->sink->calls();
+}
+
+int epura_hlr_finish(epura_hlr_model* model, const epura_hlr_settings* settings, epura_hlr_error* error) {
+  return guarded(error, [&] {
+    expect(model != nullptr, "model", "is null", "make it by epura_hlr_model_new");
+    finish(*model, settings == nullptr ? epura_hlr_settings{sizeof(epura_hlr_settings), 0, 0, 0} : *settings);
+  });
+}
+
+epura_hlr_drawing* epura_hlr_draw(const epura_hlr_model* model, const epura_hlr_request* request,
+                                  epura_hlr_error* error) {
+  std::unique_ptr<epura_hlr_drawing> drawing;
+  guarded(error, [&] {
+    expect(model != nullptr && request != nullptr, model == nullptr ? "model" : "request", "is null", "");
+    drawing = draw(*model, *request);
+  });
+  return drawing.release();
+}
+
+const epura_hlr_result* epura_hlr_result_of(const epura_hlr_drawing* drawing) {
+  return drawing == nullptr ? nullptr : &drawing->result;
+}
+
+void epura_hlr_drawing_free(epura_hlr_drawing* drawing) { delete drawing; }
