@@ -13,6 +13,7 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
+#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <GCPnts_TangentialDeflection.hxx>
 #include <Geom2d_Curve.hxx>
@@ -52,7 +53,8 @@ class OpenCascadeShape {
       : sink_(sink), shape_(shape), deflection_(deflection) {}
 
   AddedShape add() {
-    BRepMesh_IncrementalMesh(shape_, deflection_, false, max_turn, false);
+    if (!BRepTools::Triangulation(shape_, deflection_, false))
+      BRepMesh_IncrementalMesh(shape_, deflection_, false, max_turn, false);
     TopExp::MapShapes(shape_, TopAbs_VERTEX, vertices_);
     TopExp::MapShapesAndAncestors(shape_, TopAbs_EDGE, TopAbs_FACE, faces_of_edge_);
     vertex_ids_.assign(static_cast<std::size_t>(vertices_.Extent()), none);
@@ -161,7 +163,7 @@ class OpenCascadeShape {
   static epura_face surface_of(const TopoDS_Face& face) {
     epura_face told{};
     told.size = sizeof told;
-    const BRepAdaptor_Surface surface(face);
+    const BRepAdaptor_Surface surface(face, false);  // without its borders, which take time
     const auto describe = [&](std::uint32_t kind, const gp_Ax3& axes, double radius) {
       told.kind = kind;
       put(told.origin, axes.Location().XYZ());
@@ -205,7 +207,7 @@ class OpenCascadeShape {
         const gp_Pnt2d at = curve->Value(from + part * (to - from));
         gp_Pnt point;
         gp_Vec u, v;
-        BRepAdaptor_Surface(face).D1(at.X(), at.Y(), point, u, v);
+        BRepAdaptor_Surface(face, false).D1(at.X(), at.Y(), point, u, v);
         normals[i] = u.Crossed(v);
         if (normals[i].SquareMagnitude() == 0) return std::nan("");
         if (face.Orientation() == TopAbs_REVERSED) normals[i].Reverse();
