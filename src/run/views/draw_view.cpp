@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "accuracy/view_error.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "drawing/broken_out.hpp"
@@ -445,8 +446,9 @@ std::optional<report::ViewError> ViewRun::judged(const DrawnLines& lines, const 
                                 lines.drawing, budget_.run.with_part_of_the_time(part_for_judging));
   } catch (const OutOfTime&) {  // the bound stays
   }
-  return error_of_view({input_.world, *input_.heights, is_whole, view_, drawn_, hidden_, paper, lines.drawing, merged},
-                       lines.curves, !options_.wireframe);
+  return accuracy::error_of_view(
+      {input_.world, *input_.heights, is_whole, view_, drawn_, hidden_, paper, lines.drawing, merged}, lines.curves,
+      !options_.wireframe);
 }
 
 // The view of the cut models, in the same place. It has no lines if there is no time for them.

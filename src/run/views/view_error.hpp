@@ -1,42 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The error budget of a view, and the settings that keep it below --max-error.
+// The settings that keep the error of a view below --max-error.
 #pragma once
 
 #include <optional>
 #include <span>
 #include <string>
 
-#include "drawing/arcs.hpp"
-#include "drawing/view_drawing.hpp"
-#include "edges/find_edges.hpp"
 #include "report/error_budget.hpp"
-#include "view/paper_map.hpp"
-#include "view/projected_scene.hpp"
 #include "views/messages.hpp"
 #include "views/options.hpp"
-#include "visibility/visibility.hpp"
-#include "world/facet_heights.hpp"
 
 namespace epura::pipeline {
-
-/// A drawn view, to be judged.
-struct ViewToJudge {
-  const world::World& world;           ///< the cut one if the view shows a section
-  const world::FacetHeights& heights;  ///< of the uncut world
-  bool is_whole;                       ///< nothing is cut or moved: triangles are those of `heights`
-  const view::ProjectedScene& view;
-  const edges::FeatureEdges& edges;
-  const visibility::HiddenSpans& hidden;
-  const view::PaperMap& paper;
-  const drawing::ViewDrawing& drawing;
-  double merged;  ///< drawing::merged_by
-};
-
-/// Returns all terms except `writing`. `hides` is false for wireframes.
-report::ViewError error_of_view(const ViewToJudge& judged, const drawing::CurveReport& curves, bool hides);
-
-/// No span longer than this fraction of the drawing is shown wrongly (docs/numerics.md).
-inline constexpr double guaranteed_part = 1e-6;
 
 // What --max-error chooses.
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "views/contour_ends.hpp"
+#include "accuracy/contour_ends.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,10 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "accuracy/judged_view.hpp"
 #include "drawing/moved_contours.hpp"
-#include "views/judged_view.hpp"
 
-namespace epura::pipeline {
+namespace epura::accuracy {
 
 namespace {
 
@@ -185,4 +185,4 @@ double off_at_ends_of_contours(const ViewToJudge& judged) {
   return std::max(ends.where_moved(), ends.at_cusps());
 }
 
-}  // namespace epura::pipeline
+}  // namespace epura::accuracy

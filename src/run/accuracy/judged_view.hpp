@@ -7,9 +7,9 @@
 #include <cmath>
 #include <cstddef>
 
-#include "views/view_error.hpp"
+#include "accuracy/view_error.hpp"
 
-namespace epura::pipeline {
+namespace epura::accuracy {
 
 class JudgedView {
  public:
@@ -57,4 +57,4 @@ class JudgedView {
   const ViewToJudge& judged_;
 };
 
-}  // namespace epura::pipeline
+}  // namespace epura::accuracy
