@@ -13,6 +13,8 @@ if(NOT EPURA_SANITIZE)
            libepura.so.${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} library.symbols)
   add_test(NAME hlr_symbols COMMAND ${CMAKE_CURRENT_LIST_DIR}/symbols.sh $<TARGET_FILE:epura_hlr> libepura-hlr.so.1
            hlr.symbols)
+  add_test(NAME hlr_draws_no_sheets
+           COMMAND sh -c "! readelf -d $<TARGET_FILE:epura_hlr> | grep -E 'NEEDED.*(cairo|font|freetype|harfbuzz|qpdf)'")
   add_test(NAME cpp_page_runs COMMAND ${CMAKE_CURRENT_LIST_DIR}/cpp_page.sh $<TARGET_FILE:epura_library>
            ${PROJECT_BINARY_DIR}/include)
   add_test(NAME sdk_works COMMAND ${CMAKE_CURRENT_LIST_DIR}/sdk.sh ${CMAKE_BINARY_DIR})

@@ -36,7 +36,6 @@ enum {
   EPURA_HLR_DONE = 0,
   EPURA_HLR_INPUT = 2,   /* wrong input */
   EPURA_HLR_PLUGIN = 3,  /* the projection does not answer as it must */
-  EPURA_HLR_TIME = 5,    /* the time limit left nothing to show */
   EPURA_HLR_BROKEN = 70, /* the fault is in epura */
   EPURA_HLR_STOPPED = 130
 };
@@ -106,7 +105,6 @@ typedef struct epura_hlr_request {
   double scale; /* mm of paper for a unit of the plane, which says what nobody sees; 0: the drawing is 1 m large */
   double join_within; /* mm of paper within which lines along each other are drawn once; 0: each is drawn */
   double arcs;        /* mm of paper within which arcs are drawn for chords; 0: only polylines */
-  double time_limit;  /* seconds, in which the longest lines are drawn first; 0: none */
   /* Called as stages proceed, with the fraction that is done, 0 if unknown; from any thread, never at once from two.
    * Anything but 0 stops the call, which then fails with EPURA_HLR_STOPPED. May be NULL. */
   int (*progress)(void* host, const char* stage, double done);
@@ -147,7 +145,6 @@ typedef struct epura_hlr_result {
   const double* points; /* two numbers each, in the plane: those of the matrix, or the window of the view */
   double matrix[16];    /* rows first: model -> plane; row 2 / row 3 grows towards the viewer */
   double error;         /* bound of how far lines are from those of the part, plane units; NaN: not found */
-  const char* cut;      /* the stage at which the time limit left lines out; NULL: none are left out */
 } epura_hlr_result;
 
 /* The curves of a view. */

@@ -55,7 +55,7 @@ class _Request(c.Structure):
     _fields_ = [("size", c.c_uint32), ("kinds", c.c_uint32), ("only_visible", c.c_uint32), ("threads", c.c_uint32),
                 ("view", c.POINTER(_View)), ("matrix", c.c_void_p), ("projection", c.c_void_p), ("values", c.c_void_p),
                 ("crease_angle", c.c_double), ("scale", c.c_double), ("join_within", c.c_double), ("arcs", c.c_double),
-                ("time_limit", c.c_double), ("progress", _Progress), ("host", c.c_void_p), ("finds_error", c.c_uint32),
+                ("progress", _Progress), ("host", c.c_void_p), ("finds_error", c.c_uint32),
                 ("unused", c.c_uint32)]
 
 
@@ -72,7 +72,7 @@ class _Curve(c.Structure):
 class _Result(c.Structure):
     _fields_ = [("size", c.c_uint32), ("curve_size", c.c_uint32), ("curve_count", c.c_uint64), ("curves", c.c_void_p),
                 ("point_count", c.c_uint64), ("points", c.POINTER(c.c_double)), ("matrix", c.c_double * 16),
-                ("error", c.c_double), ("cut", c.c_char_p)]
+                ("error", c.c_double)]
 
 
 @functools.lru_cache(maxsize=None)

@@ -17,16 +17,23 @@
 #include <utility>
 #include <vector>
 
+#include "accuracy/view_error.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "base/progress.hpp"
-#include "drawing/drawing.hpp"
+#include "drawing/exact_lines.hpp"
+#include "drawing/make_drawing.hpp"
+#include "edges/crossing_candidates.hpp"
+#include "edges/find_edges.hpp"
 #include "hlr/curves.hpp"
 #include "hlr/model.hpp"
 #include "importer/sink.hpp"
 #include "projection/answer.hpp"
 #include "projection/matrices.hpp"
-#include "views/draw_view.hpp"
+#include "visibility/clear_contours.hpp"
+#include "visibility/folds.hpp"
+#include "visibility/visibility.hpp"
+#include "world/facet_heights.hpp"
 
 using namespace epura;
 
@@ -37,7 +44,6 @@ struct epura_hlr_model {
 
 struct epura_hlr_drawing {
   hlr::Curves content;
-  std::string cut;
   epura_hlr_result result;
 };
 
@@ -72,9 +78,6 @@ int guarded(epura_hlr_error* error, const Work& work) noexcept {
     std::string_view reason = wrong.what();
     if (const std::string place = wrong.where() + ": "; reason.starts_with(place)) reason.remove_prefix(place.size());
     return fail(error, static_cast<int>(wrong.kind()), wrong.where(), reason, wrong.hint());
-  } catch (const OutOfTime& cut) {
-    return fail(error, EPURA_HLR_TIME, "time_limit",
-                "time ran out at '" + cut.stage + "', before there was anything to show", "allow more time");
   } catch (const Stopped&) {
     return fail(error, EPURA_HLR_STOPPED, "progress", "the call was stopped", "");
   } catch (const std::bad_alloc&) {
@@ -155,31 +158,75 @@ void expect_numbers(const epura_hlr_request& request) {
   expect_in(request.crease_angle, 180, "crease_angle");
   expect_in(request.join_within, 1000, "join_within");
   expect_in(request.arcs, 1000, "arcs");
-  for (const auto& [value, place] : {std::pair(request.scale, "scale"), std::pair(request.time_limit, "time_limit")})
-    expect(value >= 0 && std::isfinite(value), place, "is negative or not finite", "0 stands for: not given");
+  expect(request.scale >= 0 && std::isfinite(request.scale), "scale", "is negative or not finite",
+         "0 stands for: not given");
   constexpr std::uint32_t known = EPURA_HLR_USUAL | EPURA_HLR_TANGENT | EPURA_HLR_SMOOTH;
   expect((request.kinds & ~known) == 0, "kinds", "has a kind of line that is not known", "");
 }
 
-pipeline::ViewOptions options_of(const epura_hlr_request& request) {
+edges::EdgeOptions edges_of(const epura_hlr_request& request) {
   const std::uint32_t kinds = request.kinds == 0 ? std::uint32_t{EPURA_HLR_USUAL} : request.kinds;
   const auto has = [kinds](EdgeKind kind) { return (kinds & hlr::number_of(kind)) != 0; };
-  pipeline::ViewOptions options;
-  options.name = "view";
-  options.edges = {.contour = has(EdgeKind::contour),
-                   .boundary = has(EdgeKind::boundary),
-                   .crease = has(EdgeKind::crease),
-                   .intersection = has(EdgeKind::intersection),
-                   .wire = has(EdgeKind::wire),
-                   .tangent = has(EdgeKind::tangent),
-                   .smooth = has(EdgeKind::smooth)};
-  if (request.crease_angle > 0) options.edges.crease_angle = options.edges.part_angle = request.crease_angle;
-  options.join_within = request.join_within;
-  if (request.arcs > 0) options.arcs = request.arcs;
-  sheet::BodyStyle style;
-  if (request.only_visible != 0) style.hidden = HiddenLines::none;
-  options.styles.of_model = {{style}};
+  edges::EdgeOptions options{.contour = has(EdgeKind::contour),
+                             .boundary = has(EdgeKind::boundary),
+                             .crease = has(EdgeKind::crease),
+                             .intersection = has(EdgeKind::intersection),
+                             .wire = has(EdgeKind::wire),
+                             .tangent = has(EdgeKind::tangent),
+                             .smooth = has(EdgeKind::smooth)};
+  if (request.crease_angle > 0) options.crease_angle = options.part_angle = request.crease_angle;
   return options;
+}
+
+drawing::DrawingOptions drawing_of(const epura_hlr_request& request) {
+  const bool keeps_hidden = request.only_visible == 0;
+  const auto strength = [keeps_hidden](int, int, EdgeKind kind, bool visible) {
+    return visible || keeps_hidden ? 2 * visible + !edges::is_within_surface(kind) : -1;
+  };
+  return {"view", keeps_hidden, true, {request.join_within, strength}};
+}
+
+/// A view in all its stages.
+struct DrawnView {
+  view::ProjectedScene view;
+  edges::FeatureEdges drawn;
+  visibility::HiddenSpans hidden;
+  view::PaperMap paper;
+  drawing::ViewDrawing drawing;
+  drawing::CurveReport curves;
+};
+
+// `scale` is the length on paper of a unit of the plane.
+DrawnView draw_view(const world::World& world, view::ProjectedScene view, double scale,
+                    const epura_hlr_request& request, const Progress& progress) {
+  // So that the origin of the plane is that of the drawing.
+  const Vec2 shift = scale / view.map.normalisation * (view.map.image + view.middle);
+  DrawnView made{std::move(view), {}, {}, view::make_paper_map(view, scale, shift), {}, {}};
+  const edges::EdgeOptions wanted = edges_of(request);
+  const edges::CrossingCandidates crossing =
+      wanted.intersection
+          ? edges::crossing_candidates(world, made.view.map.normalisation, made.view.contact.in_space, progress)
+          : edges::CrossingCandidates();
+  made.drawn = edges::find_feature_edges(world, made.view, wanted, crossing, progress);
+  visibility::find_clear_contours(world, made.view, made.drawn, progress);
+  made.hidden = visibility::find_hidden(world, made.view, made.drawn, progress);
+  visibility::hide_folds(world, made.view, made.drawn, made.hidden, progress);
+  made.drawing =
+      drawing::make_drawing({world, made.view, made.drawn, made.hidden}, made.paper, drawing_of(request), progress);
+  if (request.arcs > 0) made.curves = drawing::draw_exactly(world, made.drawing, {request.arcs}, progress);
+  return made;
+}
+
+// On paper.
+double error_of(const world::World& world, const DrawnView& drawn, const epura_hlr_request& request,
+                const Progress& progress) {
+  const world::FacetHeights heights = world::facet_heights(world, progress);
+  const double merged = drawing::merged_by({world, drawn.view, drawn.drawn, drawn.hidden}, drawn.paper,
+                                           drawing_of(request), drawn.drawing, progress);
+  return accuracy::error_of_view(
+             {world, heights, true, drawn.view, drawn.drawn, drawn.hidden, drawn.paper, drawn.drawing, merged},
+             drawn.curves, true)
+      .total();
 }
 
 std::unique_ptr<epura_hlr_drawing> draw(const epura_hlr_model& model, const epura_hlr_request& request) {
@@ -194,37 +241,28 @@ std::unique_ptr<epura_hlr_drawing> draw(const epura_hlr_model& model, const epur
     if (request.progress != nullptr && request.progress(request.host, stage.c_str(), done) != 0) stop.request_stop();
   };
   board.observe({tell, stop.get_token()});
-  const Progress progress(board, request.time_limit > 0 ? std::optional(request.time_limit) : std::nullopt);
-  const pipeline::ViewOptions options = options_of(request);
-  view::ProjectedScene seen = view::project_scene(world, projection_of(request, world.box), options.limits);
-  const double enlarged = seen.projection.scale;
+  const Progress progress(board);
+  view::ProjectedScene seen = view::project_scene(world, projection_of(request, world.box), {});
   // A single point has no extent.
-  const double side = seen.extent / seen.map.normalisation * enlarged;
+  const double side = seen.extent / seen.map.normalisation * seen.projection.scale;
   const double scale = request.scale > 0 ? request.scale : side > 0 ? usual_side_mm / side : 1;
-  const Vec2 shift = scale / seen.map.normalisation * (seen.map.image + seen.middle);
-  std::optional<world::FacetHeights> heights;
-  if (request.finds_error != 0) heights = world::facet_heights(world, progress);
-  const pipeline::ViewInput input{world, nullptr, options, {scale, shift},
-                                  {},    {},      nullptr, heights ? &*heights : nullptr};
-  pipeline::Stopwatch watch;
-  const pipeline::ViewResult found =
-      pipeline::draw_view(input, std::move(seen), {progress, progress.with_part_of_the_time(0.9)}, watch);
+  const DrawnView found = draw_view(world, std::move(seen), scale, request, progress);
+  progress.expect_not_stopped();
   auto made = std::make_unique<epura_hlr_drawing>();
   made->content = hlr::curves_of(*model.finished, found.drawing, scale);
-  if (!found.partial.stages.empty()) made->cut = found.partial.stages.front();
-  epura_hlr_result& result = made->result;
-  result = {sizeof(epura_hlr_result),
-            sizeof(epura_hlr_curve),
-            made->content.curves.size(),
-            made->content.curves.data(),
-            made->content.points.size() / 2,
-            made->content.points.data(),
-            {},
-            found.error ? found.error->total() / scale : std::nan(""),
-            made->cut.empty() ? nullptr : made->cut.c_str()};
+  const hlr::Curves& content = made->content;
+  made->result = {sizeof(epura_hlr_result),
+                  sizeof(epura_hlr_curve),
+                  content.curves.size(),
+                  content.curves.data(),
+                  content.points.size() / 2,
+                  content.points.data(),
+                  {},
+                  std::nan("")};
+  if (request.finds_error != 0) made->result.error = error_of(world, found, request, progress) / scale;
   for (int row = 0; row < 4; ++row)
     for (int column = 0; column < 4; ++column)
-      result.matrix[4 * row + column] = found.drawing.world_to_page[column][row] / (row < 3 ? scale : 1);
+      made->result.matrix[4 * row + column] = found.drawing.world_to_page[column][row] / (row < 3 ? scale : 1);
   return made;
 }
 

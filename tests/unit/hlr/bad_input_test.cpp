@@ -92,8 +92,7 @@ TEST_F(BadHlrInput, OfTheRequestIsNamed) {
   expect_refused(request, "kinds");
   for (const auto& [member, place] :
        {std::pair(&epura_hlr_request::crease_angle, "crease_angle"), std::pair(&epura_hlr_request::scale, "scale"),
-        std::pair(&epura_hlr_request::join_within, "join_within"), std::pair(&epura_hlr_request::arcs, "arcs"),
-        std::pair(&epura_hlr_request::time_limit, "time_limit")})
+        std::pair(&epura_hlr_request::join_within, "join_within"), std::pair(&epura_hlr_request::arcs, "arcs")})
     for (const double value : {-1.0, nan_value, std::numeric_limits<double>::infinity()}) {
       request = request_for(isometric);
       request.*member = value;
