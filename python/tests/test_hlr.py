@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Curves of shapes in memory."""
 import re
+import runpy
 from types import SimpleNamespace
 
 import numpy as np
@@ -76,3 +77,13 @@ def test_blocks_of_the_page_run(capsys):
     for block in re.findall(r"^```python\n(.*?)^```$", page, re.M | re.S):
         exec(compile(block, "docs/hlr.md", "exec"), {})
     assert re.fullmatch(r"\d+ visible, \d+ hidden\n", capsys.readouterr().out)
+
+
+def test_samples_stand_in_for_other_programs():
+    sample = runpy.run_path(str(SAMPLES / "hlr" / "like_others.py"))
+    cube = SimpleNamespace(vertices=VERTICES, faces=FACES)
+    visible, hidden = sample["project_to_viewport"](cube, (10, -10, 10))
+    assert length(visible) == pytest.approx(3 * length(hidden))
+    groups = sample["project_ex"](cube, direction=(1, -1, 1), up=(0, 0, 1))
+    assert length(groups[0] + groups[2]) == pytest.approx(length(visible)) and not groups[1]
+    assert sample["get_svg"](cube).count("<polyline") == len(epura.hlr(cube, direction=(-1.75, 1.1, 5), up=(0, 1, 0)).curves)

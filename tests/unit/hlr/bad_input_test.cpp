@@ -146,7 +146,7 @@ TEST_F(BadHlrInput, IsNotACallThatWasStopped) {
 
 TEST_F(BadHlrInput, AndGoodOneLeaveNoMemoryBehind) {
   const auto draw_often = [&] {
-    for (int i = 0; i < 1000; ++i) {
+    for (int i = 0; i < 5000; ++i) {
       const HlrModel model;
       add_box(model, {1, 2, 3});
       model.finish();
