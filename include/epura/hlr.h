@@ -63,7 +63,8 @@ EPURA_EXPORT void epura_hlr_model_free(epura_hlr_model* model);
 
 /* The calls that fill a model, as those of an importer: shapes with points, faces, polygons and edges, and nodes with
  * places of shapes. `unit`, `up`, `colour`, `note`, `progress` and `requirement` have no effect: lengths and axes are
- * those of the points. A call returns 0; after a wrong one, all others and epura_hlr_finish fail. NULL for NULL. */
+ * those of the points. A call returns 0; after a wrong one, all others and epura_hlr_finish fail, and so do calls after
+ * that. Valid as long as the model. NULL for NULL. */
 EPURA_EXPORT const epura_sink* epura_hlr_sink(epura_hlr_model* model);
 
 typedef struct epura_hlr_settings {

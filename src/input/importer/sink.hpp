@@ -24,6 +24,8 @@ class DocumentSink {
   /// The first invalid call of the importer; empty if there is none.
   [[nodiscard]] const std::string& fault() const { return fault_; }
   [[nodiscard]] Document& document() { return document_; }
+  /// Lets all further calls fail.
+  void end() { fault_ = "comes too late"; }
 
  private:
   int unit(double millimetres);

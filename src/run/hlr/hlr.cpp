@@ -38,7 +38,7 @@
 using namespace epura;
 
 struct epura_hlr_model {
-  std::optional<importer::DocumentSink> sink;  ///< until it is finished
+  importer::DocumentSink sink{[](double) {}};
   std::optional<hlr::Model> finished;
 };
 
@@ -108,11 +108,12 @@ int threads_of(std::uint32_t threads) {
 
 void finish(epura_hlr_model& model, const epura_hlr_settings& settings) {
   expect_size(settings, "settings");
-  expect(model.sink.has_value(), "model", "is finished already", "begin a new one");
-  expect(model.sink->fault().empty(), "sink", "a call " + model.sink->fault(), "");
+  expect(!model.finished, "model", "is finished already", "begin a new one");
+  expect(model.sink.fault().empty(), "sink", "a call " + model.sink.fault(), "");
   const ThreadLimit limit(threads_of(settings.threads));
-  model.finished = hlr::make_model(model.sink->document(), settings.is_mesh != 0);
-  model.sink.reset();
+  model.finished = hlr::make_model(model.sink.document(), settings.is_mesh != 0);
+  model.sink.document() = {};
+  model.sink.end();
 }
 
 projection::Projection answered(const epura_view& view, const std::string& place) {
@@ -273,19 +274,13 @@ std::uint32_t epura_hlr_version(void) { return EPURA_HLR_VERSION; }
 epura_hlr_model* epura_hlr_model_new(std::uint32_t version) {
   if (version != EPURA_HLR_VERSION) return nullptr;
   epura_hlr_model* model = nullptr;
-  guarded(nullptr, [&] {
-    auto made = std::make_unique<epura_hlr_model>();
-    made->sink.emplace([](double) {});
-    model = made.release();
-  });
+  guarded(nullptr, [&] { model = new epura_hlr_model; });
   return model;
 }
 
 void epura_hlr_model_free(epura_hlr_model* model) { delete model; }
 
-const epura_sink* epura_hlr_sink(epura_hlr_model* model) {
-  return model == nullptr || !model->sink ? nullptr : &model->sink->calls();
-}
+const epura_sink* epura_hlr_sink(epura_hlr_model* model) { return model == nullptr ? nullptr : &model->sink.calls(); }
 
 int epura_hlr_finish(epura_hlr_model* model, const epura_hlr_settings* settings, epura_hlr_error* error) {
   return guarded(error, [&] {
