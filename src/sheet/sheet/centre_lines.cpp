@@ -367,10 +367,11 @@ Marks marks_of(const CentredView& view) {
   std::set<int> circles;
   for (std::size_t i = 0; i < features.round.size(); ++i) {
     std::vector<SeenCircle> rings = see(view.drawing, features.round[i]);
-    if (is_small(rings) || !seen.shows(features.round[i])) continue;
+    const bool is_on_circle = circle_of[i] >= 0 && largest_of(rings).is_round();
+    if ((is_small(rings) && !is_on_circle) || !seen.shows(features.round[i])) continue;
     const auto is_kept = [&](const SeenCircle& ring) { return view.drawing.shown.breaks.keeps(ring.centre); };
     if (std::none_of(rings.begin(), rings.end(), is_kept)) continue;
-    if (circle_of[i] >= 0 && largest_of(rings).is_round()) {
+    if (is_on_circle) {
       circles.insert(circle_of[i]);
       const Vec2 middle = image_of(view.drawing, features.pitch_circles[circle_of[i]].centre, 1);
       for (SeenCircle& ring : rings) ring.spoke = ring.centre - middle;

@@ -295,6 +295,17 @@ TEST(CentreLines, OfASlotAreOneAlongItAndOneAtEachEnd) {
                {{{-6.4, 4.8}, {6.4, -4.8}}, {{-4.8, -6.4}, {34.8, 46.4}}, {{23.6, 44.8}, {36.4, 35.2}}});
 }
 
+// By these alone it is seen that they are on a circle.
+TEST(CentreLines, OfSmallHolesAreDrawnOnAPitchCircle) {
+  std::vector<Round> round;
+  for (const Vec2& at : {Vec2(24, 32), Vec2(-32, 24), Vec2(-24, -32)})
+    round.push_back(circle({at, 0}, {0, 0, -1}, 0.6));
+  EXPECT_TRUE(lines(top, round).strokes.empty());
+  const features::CentredFeatures on_circle{round, {}, {{{0, 0, -7}, {0, 0, 1}, 40, {0, 1, 2}}}};
+  EXPECT_EQ(lines(top, on_circle).strokes.size(), 4U) << "a mark for each, and the circle";
+  EXPECT_TRUE(lines(front, on_circle).strokes.empty());
+}
+
 TEST(CentreLines, OfHolesOnAPitchCircleAreThatAndMarksAlongRadii) {
   std::vector<Round> round{circle({0, 0, 0}, {0, 0, 1}, 10)};
   for (const Vec2& at : {Vec2(24, 32), Vec2(-32, 24), Vec2(-24, -32)}) round.push_back(circle({at, 0}, {0, 0, -1}, 4));
