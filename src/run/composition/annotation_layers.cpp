@@ -31,8 +31,9 @@ namespace {
 // A drawing that lacks lines may lack its ends, so its overall dimensions are omitted.
 struct WantedDimensions {
   std::vector<scene::DimensionDescription> dimensions;
-  std::vector<std::size_t> numbers;  ///< in the annotations
-  std::size_t found = 0;             ///< how many of them, the first ones, nobody asked for
+  std::vector<std::size_t> numbers;                        ///< in the annotations
+  std::vector<std::vector<scene::FeatureCircle>> equal{};  ///< as in these
+  std::size_t found = 0;                                   ///< how many of them, the first ones, nobody asked for
 };
 WantedDimensions dimensions_of(const Annotations& annotations, const ViewResult& view) {
   WantedDimensions wanted;
@@ -41,6 +42,7 @@ WantedDimensions dimensions_of(const Annotations& annotations, const ViewResult&
     if (!view.partial.stages.empty() && one.type.value == DimensionType::overall) continue;
     wanted.dimensions.push_back(one);
     wanted.numbers.push_back(i);
+    if (i < annotations.equal.size()) wanted.equal.push_back(annotations.equal[i]);
     if (i < annotations.found) ++wanted.found;
   }
   return wanted;
@@ -273,7 +275,7 @@ std::vector<sheet::Callout> attach(sheet::PlacedLayer& placed, std::span<const s
     sheet::Callout& callout = callouts.emplace_back(drawn(one, style));
     callout.target = target(ends.front());
     if (ends.front().arrow) replaced.push_back(*ends.front().arrow);
-    if (ends.size() > 1 && !ends[1].arrow && attached.size() == 1) callout.other = target(ends[1]);
+    if (ends.size() > 1 && !ends[1].arrow && attached.size() == 1) callout.others = {target(ends[1])};
     ends.erase(ends.begin());
   }
   std::sort(replaced.rbegin(), replaced.rend());
@@ -344,8 +346,8 @@ std::vector<sheet::Callout> add_dimensions(AnnotationLayers& result, sheet::Neig
   neighbours.boxes.insert(neighbours.boxes.end(), of.reserved.begin(), of.reserved.end());
   const bool lacks_lines = !of.views[of.view].partial.stages.empty();
   sheet::PlacedLayer placed =
-      sheet::place_dimensions({of.input.world, drawing, wanted.dimensions, wanted.found, lacks_lines}, style,
-                              neighbours, budget.run.with_part_of_the_time(0.5));
+      sheet::place_dimensions({of.input.world, drawing, wanted.dimensions, wanted.found, lacks_lines, wanted.equal},
+                              style, neighbours, budget.run.with_part_of_the_time(0.5));
   note_faults(result.findings, drawing.name, placed, paper);
   tell_left_out(result, placed, wanted.dimensions.size(), drawing.name);
   tell_unseen(result, placed, drawing.name);
@@ -365,6 +367,7 @@ std::vector<sheet::Callout> add_dimensions(AnnotationLayers& result, sheet::Neig
   std::vector<sheet::Callout> attached;
   if (undrawn == 0) attached = attach(placed, annotations.attached, style, result.unplaced);
   add_boxes(around.boxes, placed.layer, style.lettering);
+  around.zones.insert(around.zones.end(), placed.zones.begin(), placed.zones.end());
   for (const sheet::Text& text : placed.layer.texts) around.texts.push_back(sheet::box_of(text, style.lettering));
   result.layers.push_back(std::move(placed.layer));
   return attached;

@@ -119,14 +119,21 @@ scene::DimensionDescription shown_dimension(scene::DimensionDescription dimensio
 
 // Those that somebody asked for take the places of automatic ones in any view.
 void replace_found(std::vector<std::vector<scene::DimensionDescription>>& found, std::vector<Annotations>& annotations,
-                   const world::World& world, std::span<const sheet::NamedProjection> projections) {
+                   const world::World& world, const features::PartFeatures& features,
+                   std::span<const sheet::NamedProjection> projections) {
   std::vector<scene::DimensionDescription*> given;
   for (Annotations& of_view : annotations)
     for (scene::DimensionDescription& one : of_view.dimensions) given.push_back(&one);
-  if (given.empty() || std::all_of(found.begin(), found.end(), [](const auto& one) { return one.empty(); })) return;
-  const features::PartFeatures features = features::features_to_dimension(world);
+  if (given.empty()) return;
   for (std::vector<scene::DimensionDescription>& of_view : found)
     sheet::replace_twins(of_view, given, world, features, projections);
+}
+
+// Where automatic notes of several features may stand, too.
+void add_equal(Annotations& of_view, std::span<const scene::DimensionDescription> found,
+               const features::PartFeatures& features) {
+  for (const scene::DimensionDescription& one : found)
+    of_view.equal.push_back(sheet::equal_circles(one, of_view.dimensions, features));
 }
 
 template <class Element>
@@ -162,6 +169,10 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
                     std::span<const view::ProjectedScene> seen, const SectionSurfaces& sections) {
   const std::vector<scene::ViewDescription>& views = sheet.descriptions;
   std::optional<std::array<features::Extent, 3>> extents;
+  std::optional<features::PartFeatures> known;
+  const auto features = [&]() -> const features::PartFeatures& {
+    return known ? *known : known.emplace(features::features_to_dimension(world));
+  };
   const std::vector<sheet::NamedProjection> projections = views_to_measure(world, views, sheet.plans, seen, sections);
   const auto here = [&views](const std::string& name) {
     return std::find_if(views.begin(), views.end(), [&](const scene::ViewDescription& v) { return *v.name == name; });
@@ -194,14 +205,12 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
       if (!extents) extents = features::true_extents(world);
       const auto expanded = [&] {
         if (const auto* view = sheet::only_pictorial(projections, dimension.view.value_or(""))) {
-          const features::PartFeatures features = features::features_to_dimension(world);
-          return sheet::pictorial_dimensions(dimension, *view, {world, features, *extents}, notation);
+          return sheet::pictorial_dimensions(dimension, *view, {world, features(), *extents}, notation);
         }
         if (*dimension.type == DimensionType::overall)
           return sheet::overall_dimensions(dimension, projections, *extents);
-        const features::PartFeatures features = features::features_to_dimension(world);
         sheet::AutomaticPlan plan =
-            sheet::automatic_dimensions(dimension, projections, {world, features, *extents}, notation);
+            sheet::automatic_dimensions(dimension, projections, {world, features(), *extents}, notation);
         for (sheet::HoleTable& table : plan.tables)
           annotations[std::size_t(here(table.view) - views.begin())].tables.push_back(std::move(table));
         return std::move(plan.dimensions);
@@ -210,11 +219,12 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
         if (!is_outside(one)) add_to(one, *dimension.type == DimensionType::overall);
     }
   }
-  replace_found(found, annotations, world, projections);
+  if (known) replace_found(found, annotations, world, features(), projections);
   match_found(found, annotations, world, scene, projections, notation);
   for (std::size_t i = 0; i < views.size(); ++i) {
     std::vector<scene::DimensionDescription>& dimensions = annotations[i].dimensions;
     annotations[i].found = found[i].size();
+    if (!found[i].empty() && !sheet.plans[i].options.turned) add_equal(annotations[i], found[i], features());
     dimensions.insert(dimensions.begin(), std::make_move_iterator(found[i].begin()),
                       std::make_move_iterator(found[i].end()));
     if (sheet.plans[i].options.turned) annotations[i].unturned = dimensions;

@@ -37,16 +37,17 @@ struct MatchedSizes {
 struct Annotations {
   std::vector<scene::DimensionDescription> dimensions;
   std::size_t found = 0;  ///< how many of them, the first ones, the scene does not ask for one by one
-  std::vector<scene::DimensionDescription> unturned{};  ///< of an aligned section: the same on the models themselves
-  std::vector<cut::CuttingSurface> planes;              ///< of sections marked in this view
-  std::vector<sheet::HoleTable> tables{};               ///< of holes in this view
-  std::vector<scene::DetailDescription> details{};      ///< of this view, shown by other views of the scene
-  std::vector<ViewArrow> arrows{};                      ///< of auxiliary views beside this one
-  std::vector<ViewCallout> callouts{};                  ///< with leaders into this view
-  std::vector<scene::CalloutDescription> attached{};    ///< in line with dimensions of this view
-  bool balloons = false;                                ///< the view may have balloons
-  std::optional<Vec3> centre_of_gravity{};              ///< of the models, if its symbol is wanted
-  MatchedSizes sizes{};                                 ///< if the scene says more of automatic ones by their text
+  std::vector<std::vector<scene::FeatureCircle>> equal{};  ///< by dimension found: where it may stand instead
+  std::vector<scene::DimensionDescription> unturned{};     ///< of an aligned section: the same on the models themselves
+  std::vector<cut::CuttingSurface> planes;                 ///< of sections marked in this view
+  std::vector<sheet::HoleTable> tables{};                  ///< of holes in this view
+  std::vector<scene::DetailDescription> details{};         ///< of this view, shown by other views of the scene
+  std::vector<ViewArrow> arrows{};                         ///< of auxiliary views beside this one
+  std::vector<ViewCallout> callouts{};                     ///< with leaders into this view
+  std::vector<scene::CalloutDescription> attached{};       ///< in line with dimensions of this view
+  bool balloons = false;                                   ///< the view may have balloons
+  std::optional<Vec3> centre_of_gravity{};                 ///< of the models, if its symbol is wanted
+  MatchedSizes sizes{};                                    ///< if the scene says more of automatic ones by their text
 };
 
 /// By view of the sheet; `seen` has the projected views in the same order. A dimension without a view belongs to the

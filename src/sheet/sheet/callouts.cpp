@@ -172,10 +172,11 @@ class CalloutPlacer {
     std::optional<Spot> best;
     double least = HUGE_VAL;
     find_best(callout, landing, best, least);
-    if (!callout.other) return best;
     Callout other = callout;
-    other.target = callout.other;
-    find_best(other, landing, best, least);
+    for (const CalloutTarget& target : callout.others) {
+      other.target = target;
+      find_best(other, landing, best, least);
+    }
     return best;
   }
 
@@ -230,7 +231,8 @@ class CalloutPlacer {
   [[nodiscard]] double cost_of(const Spot& spot) const {
     constexpr double in_view = 60, for_line = 20, for_ink = 2;  // mm
     constexpr double at_target = 0.5;                           // mm of the leader that touch what it means
-    constexpr double leader_clearance = 0.8;                    // mm to lettering
+    constexpr double leader_clearance = 0.8;                    // mm to lettering and parallel lines
+    constexpr double parallel = 0.02;                           // sine of the angle between these
     const Rectangle whole{view_.box.min, view_.box.max};
     double cost = spot.box.overlaps(whole) ? in_view : 0;
     for (std::size_t i = 1; i < spot.leader.size(); ++i) {
@@ -243,7 +245,10 @@ class CalloutPlacer {
       wide.half.y = leader_clearance;
       const auto is_near = [&wide](const TurnedBox& other) { return overlap(wide, other); };
       if (std::any_of(areas_.begin(), areas_.end(), is_near)) return HUGE_VAL;
-      cost += for_line * static_cast<double>(std::count_if(lines_.begin(), lines_.end(), is_met)) +
+      const auto is_along = [&](const TurnedBox& other) {
+        return is_met(other) || (is_near(other) && std::abs(cross(line.along, other.along)) <= parallel);
+      };
+      cost += for_line * static_cast<double>(std::count_if(lines_.begin(), lines_.end(), is_along)) +
               for_ink * ink_in(line, view_);
     }
     check(cost >= 0, "no place is better than a free one");

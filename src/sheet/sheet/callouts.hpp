@@ -41,7 +41,7 @@ struct Callout {
   LeaderForm form = LeaderForm::reference;
   double attach = 0;                      ///< height at which a landing meets it
   std::optional<CalloutTarget> target{};  ///< without one, it has no leader
-  std::optional<CalloutTarget> other{};   ///< where the leader may end instead
+  std::vector<CalloutTarget> others{};    ///< where the leader may end instead
   std::optional<Vec2> at{};               ///< its upper left corner, if that is given
   bool all_around = false;                ///< a circle at the bend of its leader
 };

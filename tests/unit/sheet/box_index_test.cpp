@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 namespace epura::test::box_index_test {
 namespace {
@@ -42,6 +43,22 @@ TEST(BoxIndex, CountsWhatOverlapsAmongAll) {
   }
   EXPECT_GT(max, 50);
   EXPECT_EQ(sheet::BoxIndex().overlaps(all.front()), 0);
+}
+
+TEST(BoxIndex, FindsLinesBesideOthers) {
+  const sheet::BoxIndex lines(std::vector<sheet::TurnedBox>{
+      sheet::line_box({0, 0}, {100, 0}), sheet::line_box({0, 0.5}, {100, 0.5}), sheet::line_box({40, -9}, {40, 9}),
+      sheet::line_box({90, 0.3}, {200, 0.3}), sheet::turned_box({{0, 0}, {100, 0.4}})});
+  const auto counts = [&](const Vec2& from, const Vec2& to) {
+    const sheet::BoxIndex::LinesBeside found = lines.beside(sheet::line_box(from, to), 0.1, 0.7);
+    return std::pair(found.on_it, found.near);
+  };
+  EXPECT_EQ(counts({10, 0}, {50, 0}), std::pair(1, 1)) << "neither the line across nor the box";
+  EXPECT_EQ(counts({50, 0}, {10, 0}), std::pair(1, 1));
+  EXPECT_EQ(counts({80, 0.02}, {95, 0.02}), std::pair(1, 2));
+  EXPECT_EQ(counts({10, 1.3}, {50, 1.3}), std::pair(0, 0));
+  EXPECT_EQ(counts({100.5, 0}, {150, 0}), std::pair(0, 1)) << "only beside the one that goes on";
+  EXPECT_EQ(counts({10, 0}, {50, 20}), std::pair(0, 0)) << "not parallel";
 }
 
 TEST(BoxIndex, ForgetsWhatIsTakenOut) {

@@ -129,6 +129,38 @@ TEST_F(Callouts, ReachFramesPerpendicularToTheLine) {
   EXPECT_DOUBLE_EQ(layers.symbols.style.width, 0.35) << "a tenth of the height of capitals";
 }
 
+// A frame whose own side of the part is full of lettering, as is the way to it.
+TEST_F(Callouts, EndAtAnotherPointWhereThatIsBetter) {
+  scene::ToleranceFrame frame{Characteristic::position, {{"⌀0.1"}, {"M", true}}, {{{"A"}}}};
+  std::vector<sheet::Callout> callouts{sheet::tolerance_frame(frame, style)};
+  callouts[0].target = right_side(100);
+  around.boxes.push_back(sheet::turned_box({{182, 60}, {287, 160}}));
+  sheet::place_callouts(layers, callouts, view, style, around);
+  ASSERT_EQ(layer.strokes.size(), 1U);
+  EXPECT_EQ(layer.strokes[0].points[0], Vec2(180, 100));
+  layers = sheet::callout_layers("front", style);
+  callouts[0].others = {{{100, 100}, LeaderEnd::arrow, Vec2(-1, 0), true}};
+  sheet::place_callouts(layers, callouts, view, style, around);
+  ASSERT_EQ(layer.strokes.size(), 1U);
+  EXPECT_EQ(layer.strokes[0].points[0], Vec2(100, 100));
+  EXPECT_LT(layer.strokes[0].points[1].x, 100);
+}
+
+// A line of a dimension close beside the straight way to the frame.
+TEST_F(Callouts, KeepLeadersClearOfParallelLines) {
+  scene::ToleranceFrame frame{Characteristic::position, {{"⌀0.1"}, {"M", true}}, {{{"A"}}}};
+  for (const double beside : {0.3, 0.6, -0.6}) {
+    std::vector<sheet::Callout> callouts{sheet::tolerance_frame(frame, style)};
+    callouts[0].target = right_side(100);
+    callouts[0].others = {right_side(110)};
+    around.boxes = {sheet::line_box({181, 100 + beside}, {186, 100 + beside})};
+    layers = sheet::callout_layers("front", style);
+    sheet::place_callouts(layers, callouts, view, style, around);
+    ASSERT_EQ(layer.strokes.size(), 1U);
+    EXPECT_EQ(layer.strokes[0].points[0], Vec2(180, 110)) << beside;
+  }
+}
+
 TEST_F(Callouts, StandDatumsOnTheirLines) {
   std::vector<sheet::Callout> callouts{sheet::datum_frame({"A"}, style)};
   callouts[0].target = right_side(100);

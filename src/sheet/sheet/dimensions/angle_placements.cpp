@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "drawing/drawing.hpp"
+#include "sheet/dimensions/costs.hpp"
 #include "sheet/dimensions/forms.hpp"
 
 namespace epura::sheet {
@@ -15,9 +16,6 @@ namespace {
 constexpr int radii = 24;
 constexpr int beyond_legs = 8;                   // how many of these are beyond long legs
 constexpr double first_radius = 14, longer = 4;  // mm
-constexpr double cost_of_radius = 0.1;           // per millimetre
-constexpr double cost_of_line = 3;               // of the view that an arc crosses, beyond one
-constexpr double cost_outside = 3;               // of a text outside the angle
 constexpr double arrows_inside = 3;              // room for two arrows, in lengths of an arrow
 constexpr double steepest = 0.5;                 // sine of the slope of a text that falls to the right
 constexpr double farthest_past = 1;              // radians of an arc past a leg
@@ -74,7 +72,8 @@ void set_text_at(PlacedDimension& dimension, const DimensionText& text, const Di
   set_text(dimension, text, {arc.corner + arc.radius * spoke, read, rise}, style);
 }
 
-// Adds an arc with arrows and text; `place`: the text is at its middle (0), or past its end (1) or its beginning (-1).
+// Adds an arc with arrows and text; `place`: the text is at its middle (0), past its end (1) or its beginning (-1), or
+// in the middle of its last half (2) or its first (-2).
 void add_dimension_arc(PlacedDimension& dimension, const Sector& sector, const DimensionText& text, double radius,
                        int place, const DimensionStyle& style) {
   const auto [corner, first, sweep] = sector;
@@ -84,10 +83,12 @@ void add_dimension_arc(PlacedDimension& dimension, const Sector& sector, const D
   const auto angle_of = [&](double length) { return std::min(length / radius, farthest_past) * turn; };
   const double tail = outward ? 0 : angle_of(2 * style.arrow());
   const double lead = angle_of(style.arrow() + style.above() + style.width(text) / 2);
-  const double middle = place == 0 ? first + sweep / 2 : place > 0 ? first + sweep + lead : first - lead;
+  const double middle = place == 1    ? first + sweep + lead
+                        : place == -1 ? first - lead
+                                      : first + sweep / 2 + place * sweep / 8;
   add_arc(dimension,
-          arc_at(corner, radius, place < 0 ? first - 2 * lead : first - tail,
-                 place > 0 ? first + sweep + 2 * lead : first + sweep + tail),
+          arc_at(corner, radius, place == -1 ? first - 2 * lead : first - tail,
+                 place == 1 ? first + sweep + 2 * lead : first + sweep + tail),
           style.above());
   for (const double side : {-1.0, 1.0}) {
     const double end = side < 0 ? first : first + sweep;
@@ -164,7 +165,7 @@ std::vector<DimensionPlacement> placements_of(const MeasuredAngle& angle, const 
       for (const int place : {0, 1, -1}) {
         const bool fits = length > style.width(measured.text) + 2 * style.above();
         placements.push_back({length_of_arc(angle, measured.text, distance, place, style),
-                              cost_of_radius * distance + (place == 0 ? (fits ? 0 : 2 * cost_outside) : cost_outside)});
+                              cost_of_length * distance + (place == 0 ? (fits ? 0 : 2 * cost_outside) : cost_outside)});
       }
       continue;
     }
@@ -173,15 +174,18 @@ std::vector<DimensionPlacement> placements_of(const MeasuredAngle& angle, const 
     if (!measured.offset && k >= radii - beyond_legs)
       radius = std::max(radius, std::max(glm::length(angle.legs[0]), glm::length(angle.legs[1])) + first_dimension +
                                     longer * (k - radii + beyond_legs));
-    const bool room = radius * sweep > style.width(measured.text) + 2 * style.above();
-    const double crossed = cost_of_line * std::max(lines_across(drawing, sector_of(angle), radius) - 1, 0);
-    for (const int place : {0, 1, -1}) {
-      const double crowded = place == 0 ? (room ? 0 : 2 * cost_outside) : cost_outside;
+    const double width = style.width(measured.text) + 2 * style.above();
+    const bool room = radius * sweep > width;
+    const double crossed = cost_of_crossing * std::max(lines_across(drawing, sector_of(angle), radius) - 1, 0);
+    for (const int place : {0, 1, -1, 2, -2}) {
+      const bool is_aside = std::abs(place) == 2;
+      if (is_aside && radius * sweep / 2 <= width) continue;
+      const double crowded = place == 0 ? (room ? 0 : 2 * cost_outside) : is_aside ? cost_of_inside : cost_outside;
       placements.push_back(
-          {angular_dimension(angle, measured.text, radius, place, style), cost_of_radius * radius + crowded + crossed});
+          {angular_dimension(angle, measured.text, radius, place, style), cost_of_length * radius + crowded + crossed});
     }
   }
-  check(placements.size() == std::size_t{3} * (measured.offset ? 1 : radii), "each arc has three places for its text");
+  check(placements.size() >= std::size_t{3} * (measured.offset ? 1 : radii), "each arc has places for its text");
   return placements;
 }
 

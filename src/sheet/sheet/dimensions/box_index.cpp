@@ -2,6 +2,7 @@
 #include "sheet/dimensions/box_index.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/error.hpp"
 
@@ -52,11 +53,11 @@ void BoxIndex::remove(std::span<const TurnedBox> boxes) {
   }
 }
 
-int BoxIndex::overlaps(const TurnedBox& box) const {
+template <class Visit>
+void BoxIndex::visit_near(const TurnedBox& box, const Visit& visit) const {
   const auto [min, max] = around(box);
   check(min.x <= max.x && min.y <= max.y, "a rectangle contains its box");
   const Cell first = cell_at(min), last = cell_at(max);
-  int count = 0;
   visit_cells(first, last, [&, &min = min, &max = max](const Cell& cell) {
     const auto found = cells_.find(cell);
     if (found == cells_.end()) return;
@@ -65,11 +66,30 @@ int BoxIndex::overlaps(const TurnedBox& box) const {
       if (entry.count == 0) continue;
       if (entry.min.x > max.x || entry.max.x < min.x || entry.min.y > max.y || entry.max.y < min.y) continue;
       // Both may share several cells; only the cell with the lower left corner of their intersection counts.
-      const bool counts = first == last || cell_at(glm::max(entry.min, min)) == cell;
-      if (counts && overlap(entry.box, box)) count += entry.count;
+      if (first == last || cell_at(glm::max(entry.min, min)) == cell) visit(entry);
     }
   });
+}
+
+int BoxIndex::overlaps(const TurnedBox& box) const {
+  int count = 0;
+  visit_near(box, [&](const Entry& entry) { count += overlap(entry.box, box) ? entry.count : 0; });
   return count;
+}
+
+BoxIndex::LinesBeside BoxIndex::beside(const TurnedBox& line, double same, double apart) const {
+  constexpr double parallel = 0.02;  // sine of the angle between lines that look parallel
+  TurnedBox wide = line;
+  wide.half.y = apart;
+  LinesBeside found;
+  visit_near(wide, [&](const Entry& entry) {
+    const TurnedBox& other = entry.box;
+    if (other.half.y > 0 || std::abs(cross(line.along, other.along)) > parallel || !overlap(other, wide)) return;
+    const double off = std::abs(cross(line.along, other.centre - line.centre));
+    (off < same ? found.on_it : found.near) += entry.count;
+  });
+  check(found.on_it >= 0 && found.near >= 0, "lines are counted");
+  return found;
 }
 
 }  // namespace epura::sheet

@@ -26,6 +26,13 @@ class BoxIndex {
   /// How many of them share more than their borders with the box.
   [[nodiscard]] int overlaps(const TurnedBox& box) const;
 
+  /// How many lines run beside this one, in part, parallel to it and less than `apart` mm off; those less than `same`
+  /// mm off are on it.
+  struct LinesBeside {
+    int on_it = 0, near = 0;
+  };
+  [[nodiscard]] LinesBeside beside(const TurnedBox& line, double same, double apart) const;
+
  private:
   using Cell = std::array<int, 2>;
   struct Entry {
@@ -35,6 +42,9 @@ class BoxIndex {
   };
 
   static Cell cell_at(const Vec2& place);
+  /// Calls `visit(entry)` once for each box whose rectangle meets that of this one.
+  template <class Visit>
+  void visit_near(const TurnedBox& box, const Visit& visit) const;
   template <class Visit>
   static void visit_cells(const Cell& min, const Cell& max, const Visit& visit);
 

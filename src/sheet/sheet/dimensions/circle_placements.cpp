@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "sheet/dimensions/costs.hpp"
 #include "sheet/dimensions/forms.hpp"
 #include "sheet/dimensions/straight.hpp"
 
@@ -15,12 +16,7 @@ namespace {
 constexpr int leader_directions = 24;
 constexpr int lengths = 24;
 constexpr double shortest_leader_of_circle = 8, longer_leader = 4;  // leaders, mm
-constexpr double cost_of_length = 0.1;                              // per millimetre of leader
-constexpr double cost_of_slope = 1;                                 // of a leader that is not at 45 degrees
 constexpr double steep = 0.5;                                       // cosine of its angle to the horizontal
-constexpr double cost_of_turn = 10;                                 // of a shoulder on the other side
-constexpr double cost_of_label_leader = 5;
-constexpr double cost_of_inside = 1, cost_of_crossing_it = 0.5;
 
 /// A leader from a shoulder with the text to the arrow on the circle; a negative length lies inside the circle.
 struct Leader {

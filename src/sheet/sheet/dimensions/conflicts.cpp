@@ -34,7 +34,8 @@ bool have_crossing_leaders(const PlacedDimension& a, const PlacedDimension& b) {
 }
 
 bool meets(const PlacedDimension& dimension, const Neighbours& neighbours) {
-  return any_overlap(dimension.text_boxes, neighbours.boxes) || any_overlap(dimension.lines, neighbours.texts);
+  return any_overlap(dimension.text_boxes, neighbours.boxes) || any_overlap(dimension.text_boxes, neighbours.zones) ||
+         any_overlap(dimension.lines, neighbours.texts);
 }
 
 bool is_in_other_view(const PlacedDimension& dimension, const Neighbours& neighbours) {

@@ -15,6 +15,7 @@
 #include "base/error.hpp"
 #include "drawing/drawing.hpp"
 #include "sheet/dimensions/anchors.hpp"
+#include "sheet/dimensions/costs.hpp"
 #include "sheet/dimensions/forms.hpp"
 #include "sheet/dimensions/measure.hpp"
 #include "sheet/dimensions/shown_circle.hpp"
@@ -25,7 +26,8 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr std::size_t max_in_crowd = 12;  // dimensions for which less usual places are tried: it takes long
+// Dimensions, or equal features, whose less usual places are tried: that takes long.
+constexpr std::size_t max_in_crowd = 12;
 
 bool is_on_line(const Vec2& p, const Vec2& on, const Vec2& direction) {
   constexpr double slack = 1e-6;
@@ -207,7 +209,22 @@ class Placer {
     if (is_crowded_ && best.cost >= cost_of_text) best = better_of(more_placements(i), surroundings_, best);
     placed_[i] = *best.dimension;
     std::visit([&](const auto& form) { check_ends(form, *placed_[i]); }, dimensions_[i].form);
+    place_at_equal(i, best.cost);
     surroundings_.add(*placed_[i]);
+  }
+  // At another one of equal features if that is clearly better.
+  void place_at_equal(std::size_t i, double cost) {
+    for (const MeasuredCircle& circle : dimensions_[i].equal) {
+      const double bar = cost - cost_of_crossing;
+      if (bar <= cost_of_slope) return;  // hardly anything is better
+      std::vector<DimensionPlacement> there = placements_of(circle, dimensions_[i], drawing_, style_);
+      sort_by_cost(there);
+      const BestPlacement better = better_of(there, surroundings_, {&*placed_[i], bar});
+      if (better.cost == bar) continue;
+      placed_[i] = *better.dimension;
+      check_ends(circle, *placed_[i]);
+      cost = better.cost;
+    }
   }
   [[nodiscard]] std::vector<DimensionPlacement> placements(std::size_t i) const {
     const auto of_form = [&](const auto& form) { return placements_of(form, dimensions_[i], drawing_, style_); };
@@ -474,6 +491,22 @@ struct ShownDimensions {
   }
 };
 
+// The circles of equal features that a whole view shows.
+std::vector<MeasuredCircle> shown_circles(std::span<const scene::FeatureCircle> equal, AnchoredDimension dimension,
+                                          const drawing::ViewDrawing& drawing, const Notation& notation) {
+  std::vector<MeasuredCircle> shown;
+  if (drawing.shown.breaks.any() || dimension.offset) return shown;
+  const std::size_t step = 1 + equal.size() / max_in_crowd;  // of very many, some all over the view
+  for (std::size_t i = 0; i < equal.size(); i += step) {
+    dimension.circles = {{equal[i].centre, equal[i].axis, equal[i].radius, equal[i].arc, equal[i].arc.empty()}};
+    const MeasuredDimension there = measure(drawing, dimension, notation);
+    const auto* circle = std::get_if<MeasuredCircle>(&there.form);
+    if (circle != nullptr && shows_visible(drawing, *circle)) shown.push_back(*circle);
+  }
+  check(shown.size() <= max_in_crowd, "only some circles are tried");
+  return shown;
+}
+
 // Those that were found in faces of the part, which the view may not show, are left out with a word in `placed`.
 ShownDimensions measure_shown(const DimensionedView& view, const DimensionStyle& style, PlacedLayer& placed,
                               const Progress& progress) {
@@ -488,7 +521,11 @@ ShownDimensions measure_shown(const DimensionedView& view, const DimensionStyle&
     measured.name = dimension.name;
     expect_letters(measured.text.line(), dimension, style.lettering);
     const bool is_round = dimension.type == DimensionType::diameter || dimension.type == DimensionType::radius;
-    if (i < view.found && is_round && !view.lacks_lines && !shows_circle(view.drawing, measured)) {
+    const bool is_seen = !is_round || view.lacks_lines || shows_circle(view.drawing, measured);
+    if (i < view.equal.size()) measured.equal = shown_circles(view.equal[i], dimension, view.drawing, notation);
+    if (i < view.found && !is_seen && !measured.equal.empty()) {
+      measured.form = measured.equal.front();
+    } else if (i < view.found && !is_seen) {
       placed.unseen.push_back(i);
       placed.texts_unseen.push_back(measured.text.line());
       continue;
@@ -530,6 +567,7 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
     if (!dimension) continue;
     for (DimensionEnd& end : dimension->ends)
       if (end.arrow) *end.arrow += static_cast<int>(result.layer.fills.size());
+    result.zones.insert(result.zones.end(), dimension->zones.begin(), dimension->zones.end());
     if (const std::string& name = shown.measured[i].name; !name.empty()) result.ends[name] = std::move(dimension->ends);
     add_to(result.layer, std::move(*dimension), texts[i], style);
     done.insert(shown.numbers[i]);

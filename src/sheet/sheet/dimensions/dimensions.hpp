@@ -25,11 +25,14 @@ struct DimensionedView {
   std::span<const scene::DimensionDescription> dimensions;
   std::size_t found = 0;     ///< how many of them, the first ones, nobody asked for: they are left out without room
   bool lacks_lines = false;  ///< since time was over
+  /// By dimension, if there are any: circles of equal features, at which it may stand instead: "4× ⌀8".
+  std::span<const std::vector<scene::FeatureCircle>> equal{};
 };
 
 /// The dimensions of a view on paper.
 struct PlacedLayer {
   Layer layer;
+  std::vector<TurnedBox> zones{};       ///< of its dimensions, for their exclusive use
   std::size_t count = 0;                ///< of the dimensions for which there was time
   std::vector<std::size_t> left_out{};  ///< numbers of those without room
   std::vector<std::string> texts_left_out{};

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "drawing/drawing.hpp"
+#include "sheet/dimensions/costs.hpp"
 #include "sheet/dimensions/forms.hpp"
 #include "sheet/dimensions/length_reach.hpp"
 #include "sheet/dimensions/straight.hpp"
@@ -14,9 +15,6 @@ namespace epura::sheet {
 namespace {
 
 constexpr int levels = 24;
-constexpr double cost_of_level = 1;
-constexpr double cost_of_extension = 0.02;  // per millimetre of extension lines
-constexpr double cost_of_text_place = 0.1;
 constexpr double on_axis = 1e-6;
 
 }  // namespace
@@ -110,10 +108,9 @@ std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, cons
 
 std::vector<DimensionPlacement> placements_in_crowd(const MeasuredLength& length, const MeasuredDimension& measured,
                                                     const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
-  constexpr double step = 5;                                                        // mm
-  constexpr int max_beside = 10;                                                    // steps
-  constexpr int max_of_leader = 8;                                                  // steps
-  constexpr double cost_of_beside = 1, cost_of_leader = 2, cost_of_farther = 0.05;  // the last one per millimetre
+  constexpr double step = 5;        // mm
+  constexpr int max_beside = 10;    // steps
+  constexpr int max_of_leader = 8;  // steps
   std::vector<DimensionPlacement> placements;
   if (measured.offset) return placements;
   for (const Side& side : sides_of(length, drawing)) {

@@ -73,7 +73,8 @@ struct MeasuredDimension {
   std::variant<MeasuredLength, MeasuredRow, MeasuredAngle, MeasuredCircle> form;
   DimensionText text;  ///< as written; of a row, all texts
   std::optional<double> offset;
-  std::string name{};  ///< by which datums and frames refer to it
+  std::string name{};                   ///< by which datums and frames refer to it
+  std::vector<MeasuredCircle> equal{};  ///< of equal features, where it may be instead
 };
 
 /// The view must show true measures: lengths and angles must lie parallel to its plane; in an orthographic view,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "sheet/dimensions/costs.hpp"
 #include "sheet/dimensions/forms.hpp"
 #include "sheet/dimensions/length_reach.hpp"
 #include "sheet/dimensions/straight.hpp"
@@ -18,12 +19,9 @@ namespace {
 
 constexpr int row_levels = 24;
 constexpr int levels_of_shifted = 6;
-constexpr double cost_of_row_level = 1;
-constexpr double cost_of_shift = 0.1;           // per millimetre
-constexpr double cost_of_row_extension = 0.02;  // per millimetre of extension lines
-constexpr double common_origin_radius = 0.35;   // of the circle at a common origin, in lengths of an arrow
-constexpr double line_of_text = 1.5;            // between texts beside each other, in their heights
-constexpr double dot_below = 1.2;               // between arrows, in their lengths: nearer ones are dots
+constexpr double common_origin_radius = 0.35;  // of the circle at a common origin, in lengths of an arrow
+constexpr double line_of_text = 1.5;           // between texts beside each other, in their heights
+constexpr double dot_below = 1.2;              // between arrows, in their lengths: nearer ones are dots
 
 // Positions of things of these sizes along a line, in order and as near to their wishes as they can be without
 // touching: isotonic regression by pooling neighbours.
@@ -342,7 +340,7 @@ std::vector<DimensionPlacement> placements_of(const MeasuredRow& row, const Meas
     for (const Vec2& place : places) extensions += outline - side * glm::dot(place - places.front(), across);
     for (int level = 0; level < row_levels; ++level) {
       const double distance = side * (outline + first_dimension + level * dimension_step(style.text));
-      const double cost = cost_of_row_extension * extensions + cost_of_row_level * level;
+      const double cost = cost_of_extension * extensions + cost_of_level * level;
       placements.push_back({RowDrawer(row, places, distance, style).draw(), cost});
       if (level >= levels_of_shifted || !is_crowded(row, style)) continue;
       for (const double shift : {-10, 10, -20, 20, -30, 30, -40, 40})

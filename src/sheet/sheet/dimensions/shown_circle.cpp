@@ -22,8 +22,9 @@ Vec2 nearest_on(const drawing::Segment& segment, const Vec2& p) {
   return segment.from + (length > 0 ? std::clamp(glm::dot(p - segment.from, along) / length, 0.0, 1.0) : 0.0) * along;
 }
 
-bool has_line_along(const drawing::ViewDrawing& drawing, const MeasuredCircle& circle) {
+bool has_line_along(const drawing::ViewDrawing& drawing, const MeasuredCircle& circle, bool visible_only = false) {
   return std::any_of(drawing.segments.begin(), drawing.segments.end(), [&](const drawing::Segment& segment) {
+    if (visible_only && !segment.visible) return false;
     const Vec2 from = circle.in_spokes(segment.from - circle.centre), to = circle.in_spokes(segment.to - circle.centre);
     const Vec2 along = to - from, spoke = (from + to) / 2.0;
     const bool is_on = std::abs(glm::length(spoke) - 1) <= of_circle;
@@ -47,6 +48,10 @@ bool shows_circle(const drawing::ViewDrawing& drawing, const MeasuredDimension& 
   const auto* length = std::get_if<MeasuredLength>(&measured.form);
   check(length != nullptr, "a diameter is measured at a circle or along a line");
   return has_line_at(drawing, length->from, *length) || has_line_at(drawing, length->to, *length);
+}
+
+bool shows_visible(const drawing::ViewDrawing& drawing, const MeasuredCircle& circle) {
+  return has_line_along(drawing, circle, true);
 }
 
 }  // namespace epura::sheet

@@ -12,4 +12,7 @@ namespace epura::sheet {
 /// view without hidden lines of what is behind its faces.
 bool shows_circle(const drawing::ViewDrawing& drawing, const MeasuredDimension& measured);
 
+/// Whether the drawing has a visible line along a circle.
+bool shows_visible(const drawing::ViewDrawing& drawing, const MeasuredCircle& circle);
+
 }  // namespace epura::sheet

@@ -6,12 +6,15 @@
 
 #include "base/error.hpp"
 #include "drawing/drawing.hpp"
+#include "sheet/dimensions/costs.hpp"
 
 namespace epura::sheet {
 
 namespace {
 
-constexpr double beside_disc = 0.1;  // mm, by which what is on a disc's own line may be outside
+constexpr double on_line = 0.1;        // mm, by which what is on a line may be beside it
+constexpr double nearest_lines = 0.7;  // mm between parallel lines. ISO 128-2
+constexpr double size_of_arrow = 3.5;  // mm
 
 std::vector<TurnedBox> boxes_of_leaders(const PlacedDimension& dimension) {
   std::vector<TurnedBox> boxes;
@@ -39,7 +42,8 @@ std::vector<Disc> discs_of(const drawing::ViewDrawing& drawing) {
 }
 
 bool goes_through(const LeaderLine& leader, const Disc& disc) {
-  if (glm::distance(leader.tip, disc.centre) <= disc.radius + beside_disc) return false;
+  const double off = glm::distance(leader.tip, disc.centre);
+  if (off <= disc.radius + on_line) return off < disc.radius - on_line && 2 * disc.radius <= size_of_arrow;
   const Vec2 way = leader.elbow - leader.tip;
   const double part =
       std::clamp(glm::dot(disc.centre - leader.tip, way) / std::max(glm::dot(way, way), 1e-12), 0.0, 1.0);
@@ -55,6 +59,7 @@ Surroundings::Surroundings(const drawing::ViewDrawing& drawing, const Neighbours
       discs_(discs_of(drawing)),
       zones_(others_) {
   texts_.add(neighbours.texts);
+  zones_.add(neighbours.zones);
 }
 
 void Surroundings::add(const PlacedDimension& dimension) {
@@ -74,8 +79,11 @@ void Surroundings::remove(const PlacedDimension& dimension) {
 double Surroundings::cost_of_leader(const LeaderLine& leader) const {
   const auto through =
       std::count_if(discs_.begin(), discs_.end(), [&leader](const Disc& disc) { return goes_through(leader, disc); });
-  return cost_of_other * static_cast<double>(through) +
-         cost_of_letter * leaders_.overlaps(line_box(leader.tip, leader.elbow));
+  const TurnedBox line = line_box(leader.tip, leader.elbow);
+  const BoxIndex::LinesBeside others = others_.beside(line, on_line, nearest_lines),
+                              own = lines_.beside(line, on_line, nearest_lines);
+  return cost_of_other * static_cast<double>(through + others.on_it + others.near + own.on_it) +
+         cost_of_letter * leaders_.overlaps(line);
 }
 
 double Surroundings::cost(const PlacedDimension& dimension, double max) const {
@@ -92,8 +100,8 @@ double Surroundings::cost(const PlacedDimension& dimension, double max) const {
   });
   add_all(dimension.lines, [&](const TurnedBox& line) {
     return cost_of_text * texts_.overlaps(line) + cost_of_crossing * zones_.overlaps(line) +
-           cost_of_letter * letters_.overlaps(line) + cost_of_other * others_.overlaps(line) +
-           cost_of_zone * views_.overlaps(line);
+           cost_of_letter * (letters_.overlaps(line) + lines_.beside(line, on_line, nearest_lines).near) +
+           cost_of_other * others_.overlaps(line) + cost_of_zone * views_.overlaps(line);
   });
   for (const LeaderLine& leader : dimension.leaders) cost += cost < max ? cost_of_leader(leader) : 0;
   add_all(dimension.text_boxes, [&](const TurnedBox& text) { return ink_.in(text) > 0 ? cost_of_text : 0; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is on the paper around a dimension, and how much worse each fault makes a place.
+// What is on the paper around a dimension, and how much worse that makes its place.
 #pragma once
 
 #include <optional>
@@ -28,14 +28,6 @@ class InkIndex {
   drawing::InkCells cells_;  ///< numbers of segments
 };
 
-// Faults that make a drawing hard to read outweigh all those that only make it less tidy.
-inline constexpr double cost_of_zone = 1000;   ///< two dimensions at the same position, or one inside another view
-inline constexpr double cost_of_text = 300;    ///< a line through a text
-inline constexpr double cost_of_letter = 100;  ///< a line that is interrupted at a letter, a leader through another
-inline constexpr double cost_of_other = 20;    ///< a line through something else on the sheet, a leader through a hole
-inline constexpr double cost_of_crossing = 3;
-inline constexpr double cost_of_ink = 0.3;  ///< a line of the drawing that a leader crosses
-
 /// A closed round line of a view, mm on paper.
 struct Disc {
   Vec2 centre;
@@ -45,7 +37,8 @@ struct Disc {
 /// The visible ones, such as the rims of holes.
 std::vector<Disc> discs_of(const drawing::ViewDrawing& drawing);
 
-/// Whether a leader to something outside a disc goes through it.
+/// Whether a leader to something outside a disc goes through it, or seems to end at it: its arrow is inside, not on the
+/// rim, and no smaller.
 bool goes_through(const LeaderLine& leader, const Disc& disc);
 
 /// Objects already on the paper.

@@ -2,9 +2,11 @@
 #include "sheet/dimensions/twins.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "base/error.hpp"
 #include "features/tolerances.hpp"
@@ -145,6 +147,63 @@ bool is_required(DimensionDescription& automatic, const Measure& measure, const 
 }
 
 }  // namespace
+
+namespace {
+
+// Half circles at both ends of a slot.
+std::array<scene::FeatureCircle, 2> ends_of(const features::SlotFeature& slot) {
+  std::array<scene::FeatureCircle, 2> ends;
+  for (std::size_t end = 0; end < 2; ++end) {
+    const Vec3 &centre = slot.centres[end], along = glm::normalize(centre - slot.centres[1 - end]);
+    const Vec3 out = glm::cross(slot.axis, along);
+    ends[end] = {centre,
+                 slot.axis,
+                 slot.radius,
+                 {centre - slot.radius * out, centre + slot.radius * along, centre + slot.radius * out}};
+  }
+  return ends;
+}
+
+}  // namespace
+
+std::vector<scene::FeatureCircle> equal_circles(const DimensionDescription& automatic,
+                                                std::span<const DimensionDescription> given,
+                                                const features::PartFeatures& features) {
+  std::vector<scene::FeatureCircle> equal;
+  if (!automatic.circle || automatic.is_label || repeats_of(automatic.text.value_or("")) < 2) return equal;
+  const scene::FeatureCircle& own = *automatic.circle;
+  const auto circle_at = [](const scene::FeatureCircle& one) {
+    return WorldCircle{one.centre, one.axis, one.radius, one.arc, one.arc.empty()};
+  };
+  const auto add = [&](scene::FeatureCircle one) {
+    const bool is_given = std::any_of(given.begin(), given.end(), [&](const DimensionDescription& other) {
+      return other.circle && are_one_circle(circle_at(*other.circle), circle_at(one));
+    });
+    if (!is_given && are_parallel(own.axis, one.axis) && features::are_same(own.radius, one.radius) &&
+        !are_one_circle(circle_at(own), circle_at(one)))
+      equal.push_back(std::move(one));
+  };
+  if (*automatic.type == DimensionType::diameter) {
+    for (const features::HoleFeature& hole : features.holes)
+      if (const scene::FeatureCircle one{hole.mouth, hole.axis, hole.called() / 2, {}};
+          glm::dot(own.axis, one.axis) > 0 && are_of_equal_holes(circle_at(own), circle_at(one), features))
+        add(one);
+    return equal;
+  }
+  const auto is_own = [&](const scene::FeatureCircle& end) { return are_one_circle(circle_at(own), circle_at(end)); };
+  bool is_slot = false;  // otherwise a fillet
+  for (const features::SlotFeature& slot : features.slots) {
+    const auto ends = ends_of(slot);
+    is_slot = is_slot || std::any_of(ends.begin(), ends.end(), is_own);
+  }
+  if (is_slot)
+    for (const features::SlotFeature& slot : features.slots)
+      for (const scene::FeatureCircle& end : ends_of(slot)) add(end);
+  else
+    for (const features::ArcFeature& arc : features.arcs) add({arc.centre, arc.axis, arc.radius, arc.points});
+  check(equal.size() <= features.arcs.size() + 2 * features.slots.size(), "equal features are those of the part");
+  return equal;
+}
 
 Vec3 direction_of(const AnchoredDimension& dimension, const NamedProjection& view) {
   if (dimension.type == DimensionType::overall) return Mat3(1)[axis_of(*dimension.direction)];

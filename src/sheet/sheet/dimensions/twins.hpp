@@ -26,4 +26,10 @@ void replace_twins(std::vector<scene::DimensionDescription>& automatic,
                    std::span<scene::DimensionDescription* const> given, const world::World& world,
                    const features::PartFeatures& features, std::span<const NamedProjection> views);
 
+/// The circles of features which are equal to that of an automatic note, and of which no given dimension says the size:
+/// the note may stand at any of them.
+std::vector<scene::FeatureCircle> equal_circles(const scene::DimensionDescription& automatic,
+                                                std::span<const scene::DimensionDescription> given,
+                                                const features::PartFeatures& features);
+
 }  // namespace epura::sheet
