@@ -146,10 +146,6 @@ bool is_required(DimensionDescription& automatic, const Measure& measure, const 
   return true;
 }
 
-}  // namespace
-
-namespace {
-
 // Half circles at both ends of a slot.
 std::array<scene::FeatureCircle, 2> ends_of(const features::SlotFeature& slot) {
   std::array<scene::FeatureCircle, 2> ends;
