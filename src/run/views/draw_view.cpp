@@ -12,12 +12,12 @@
 #include "drawing/chain_lines.hpp"
 #include "drawing/clip_drawing.hpp"
 #include "drawing/cut_faces.hpp"
-#include "drawing/drawing.hpp"
 #include "drawing/exact_lines.hpp"
 #include "drawing/make_drawing.hpp"
 #include "drawing/symmetry.hpp"
 #include "drawing/thin.hpp"
 #include "edges/crossing_candidates.hpp"
+#include "refine/refine_world.hpp"
 #include "verify/ink_judge.hpp"
 #include "verify/outline.hpp"
 #include "verify/verify.hpp"
@@ -104,6 +104,10 @@ report::PlanStep section_step(const CutSection& section) {
           count_of(section.cut.world.models.size()), count_of(section.cut.faces.size())};
 }
 
+view::Clipping clipping_of(const ViewOptions& options) {
+  return options.leave_out.clip ? view::Clipping::where_needed : view::Clipping::everywhere;
+}
+
 drawing::NearLines near_lines(const ViewOptions& options) {
   return {options.join_within, [&options](int model, int body, EdgeKind kind, bool visible) {
             return sheet::line_strength(kind, visible, options.styles(model, body));
@@ -120,12 +124,6 @@ drawing::CurveReport curves_of(const ViewOptions& options, const world::World& w
     limits.max_rise = 0.75 * part;
   }
   return drawing::draw_exactly(world, drawing, limits, progress);
-}
-
-// How far ink may be from what it shows. What is merely estimated is no error to be forgiven: the judge of ink looks
-// for contours and crossings where they are.
-double error_of_ink(const report::ViewError& error) {
-  return error.total() - error[report::ErrorTerm::contours] - error[report::ErrorTerm::intersections];
 }
 
 report::InkCheck unjudged(const drawing::ViewDrawing& drawing, const std::string& what) {
@@ -146,12 +144,15 @@ class ViewRun {
  public:
   ViewRun(const ViewInput& input, view::ProjectedScene view, const ViewTime& time, Stopwatch& watch)
       : input_(input),
+        refined_(refine::refine_world(input.world, view.projection)),
+        world_(refined_ ? *refined_ : input.world),
         options_(input.options),
-        view_(std::move(view)),
+        view_(refined_ ? view::project_scene(world_, view.projection, options_.limits, clipping_of(options_))
+                       : std::move(view)),
         watch_(watch),
         budget_{time.run, time.lines, partial_} {
     if (input_.section != nullptr) plan_.push_back(section_step(*input_.section));
-    plan_.push_back(clip_step(input_.world, view_, options_));
+    plan_.push_back(clip_step(world_, view_, options_));
   }
 
   ViewResult run() {
@@ -222,6 +223,8 @@ class ViewRun {
   }
 
   const ViewInput& input_;
+  const std::optional<world::World> refined_;  ///< nothing if there is nothing to refine
+  const world::World& world_;                  ///< whose edges are drawn
   const ViewOptions& options_;
   view::ProjectedScene view_;
   edges::FeatureEdges drawn_{};
@@ -233,16 +236,15 @@ class ViewRun {
 };
 
 Candidates ViewRun::find_candidates(bool may_leave_out, const Progress& progress) const {
-  const world::World& world = input_.world;
-  Candidates candidates{{}, {"intersections", false, "", count_of(world.triangles.size()), 0}};
+  Candidates candidates{{}, {"intersections", false, "", count_of(world_.triangles.size()), 0}};
   if (options_.edges.intersection)
-    candidates.crossing = !may_leave_out ? edges::all_triangles(world) : timed(candidates.step.times.certificate, [&] {
-      return edges::crossing_candidates(world, view_.map.normalisation, view_.contact.in_space, progress);
+    candidates.crossing = !may_leave_out ? edges::all_triangles(world_) : timed(candidates.step.times.certificate, [&] {
+      return edges::crossing_candidates(world_, view_.map.normalisation, view_.contact.in_space, progress);
     });
   candidates.step.run = !candidates.crossing.triangles.empty();
   if (options_.edges.intersection)
-    candidates.step.skipped = count_of(world.triangles.size() - candidates.crossing.triangles.size());
-  candidates.step.why = why_searched(world, options_, candidates.crossing.triangles.size());
+    candidates.step.skipped = count_of(world_.triangles.size() - candidates.crossing.triangles.size());
+  candidates.step.why = why_searched(world_, options_, candidates.crossing.triangles.size());
   return candidates;
 }
 
@@ -263,7 +265,7 @@ Candidates ViewRun::find_candidates_in_time() const {
 
 // Null if no view has found the intersections that this one needs.
 const KnownIntersections* ViewRun::known_intersections() const {
-  if (input_.known == nullptr || !*input_.known || !options_.edges.intersection) return nullptr;
+  if (refined_ || input_.known == nullptr || !*input_.known || !options_.edges.intersection) return nullptr;
   const KnownIntersections& known = **input_.known;
   const bool are_same = known.normalisation == view_.map.normalisation && known.contact == view_.contact.in_space &&
                         known.crease_angle == options_.edges.crease_angle &&
@@ -272,8 +274,8 @@ const KnownIntersections* ViewRun::known_intersections() const {
 }
 
 void ViewRun::keep_intersections(const report::PlanStep& step) {
-  if (input_.known == nullptr || *input_.known || !options_.edges.intersection || drawn_.searched < 1) return;
   const edges::EdgeOptions& edges = options_.edges;
+  if (refined_ || input_.known == nullptr || *input_.known || !edges.intersection || drawn_.searched < 1) return;
   input_.known->emplace(KnownIntersections{view_.map.normalisation, view_.contact.in_space, edges.crease_angle,
                                            edges.part_angle, edges::intersections_of(drawn_), step});
   (*input_.known)->step.times = {};
@@ -287,7 +289,7 @@ void ViewRun::find_edges() {
     edges::EdgeOptions options = options_.edges;
     options.thread_depth = options_.min_thread / (input_.place.scale * view_.projection.scale);
     const auto find = [&](const auto& crossing) {
-      return edges::find_feature_edges(input_.world, view_, options, crossing, budget_.lines);
+      return edges::find_feature_edges(world_, view_, options, crossing, budget_.lines);
     };
     drawn_ = known != nullptr ? find(known->found) : find(candidates.crossing);
     if (candidates.left_out) drawn_.searched = 0;
@@ -316,14 +318,13 @@ visibility::HiddenSpans ViewRun::hidden_in_time() {
   // It is the faces that take the time, and fewer lines do not help there: a few in sight are tested against all faces,
   // and in the end so few that there is always something to show.
   const auto make = [&](const Progress& progress) {
-    return cuts > 0 ? visibility::find_hidden_directly(input_.world, view_, drawn_, progress)
-                    : visibility::find_hidden(input_.world, view_, drawn_, progress);
+    return cuts > 0 ? visibility::find_hidden_directly(world_, view_, drawn_, progress)
+                    : visibility::find_hidden(world_, view_, drawn_, progress);
   };
   const auto leave_out = [&](const std::string& stage) {
     hidden_ = visibility::nothing_hidden(drawn_);
     if (cuts++ == 0)
-      leave_undecided(stage,
-                      visibility::all_but_longest_in_sight(input_.world, view_, drawn_, few_lines, budget_.last()));
+      leave_undecided(stage, visibility::all_but_longest_in_sight(world_, view_, drawn_, few_lines, budget_.last()));
     else
       leave_undecided(stage, visibility::all_but_longest(view_, drawn_.edges, few_lines / 4));
     return cuts > 1;
@@ -343,7 +344,7 @@ void ViewRun::hide() {
   hidden_ = visibility::nothing_hidden(drawn_);
   const bool wanted = !options_.wireframe;
   const bool is_one_sheet = wanted && options_.leave_out.visibility && timed(step.times.certificate, [&] {
-                              return visibility::is_height_field(input_.world, view_, drawn_);
+                              return visibility::is_height_field(world_, view_, drawn_);
                             });
   if (is_one_sheet) {
     step.why = "the page shows the surface as one sheet";
@@ -367,7 +368,7 @@ void ViewRun::hide() {
 // Without time for it, facets decide.
 void ViewRun::find_clear_contours() {
   try {
-    visibility::find_clear_contours(input_.world, view_, drawn_, budget_.lines);
+    visibility::find_clear_contours(world_, view_, drawn_, budget_.lines);
   } catch (const OutOfTime&) {
     drawn_.clear_contours.clear();
   }
@@ -376,7 +377,7 @@ void ViewRun::find_clear_contours() {
 // Without time for it, contours of facets that are turned over are drawn, too.
 void ViewRun::hide_folds() {
   try {
-    visibility::hide_folds(input_.world, view_, drawn_, hidden_, budget_.lines);
+    visibility::hide_folds(world_, view_, drawn_, hidden_, budget_.lines);
   } catch (const OutOfTime&) {
   }
 }
@@ -387,7 +388,7 @@ drawing::DrawingOptions ViewRun::drawing_options(double least_crease) const {
 
 drawing::ViewDrawing ViewRun::drawn_on(const view::PaperMap& paper, const edges::FeatureEdges& edges,
                                        double least_crease, const Progress& progress) const {
-  return drawing::make_drawing({input_.world, view_, edges, hidden_}, paper, drawing_options(least_crease), progress);
+  return drawing::make_drawing({world_, view_, edges, hidden_}, paper, drawing_options(least_crease), progress);
 }
 
 // Draws only the longest edges if there is no time for all.
@@ -442,16 +443,17 @@ std::optional<report::ViewError> ViewRun::judged(const DrawnLines& lines, const 
                         input_.heights->of_triangle.size() == input_.world.triangles.size();
   double merged = lines.drawing.distances.joined_within;
   try {
-    merged = drawing::merged_by({input_.world, view_, drawn_, hidden_}, paper, drawing_options(options_.least_crease),
+    merged = drawing::merged_by({world_, view_, drawn_, hidden_}, paper, drawing_options(options_.least_crease),
                                 lines.drawing, budget_.run.with_part_of_the_time(part_for_judging));
   } catch (const OutOfTime&) {  // the bound stays
   }
+  const auto refined = is_whole && refined_ ? std::optional(world::facet_heights(*refined_)) : std::nullopt;
   return accuracy::error_of_view(
-      {input_.world, *input_.heights, is_whole, view_, drawn_, hidden_, paper, lines.drawing, merged}, lines.curves,
-      !options_.wireframe);
+      {world_, refined ? *refined : *input_.heights, is_whole, view_, drawn_, hidden_, paper, lines.drawing, merged},
+      lines.curves, !options_.wireframe);
 }
 
-// The view of the cut models, in the same place. It has no lines if there is no time for them.
+// The view of the cut models, in the same place; without lines if there is no time for them.
 ViewResult ViewRun::cut_view(const BrokenOutSection& one) {
   const world::World& world = one.section.cut.world;
   ViewOptions options = options_;
@@ -462,11 +464,10 @@ ViewResult ViewRun::cut_view(const BrokenOutSection& one) {
   options.centre_lines = false;
   for (std::vector<sheet::BodyStyle>& of_model : options.styles.of_model)
     for (sheet::BodyStyle& style : of_model) style.hidden = HiddenLines::none;
-  const auto clipping = options.leave_out.clip ? view::Clipping::where_needed : view::Clipping::everywhere;
   try {
     return ViewRun({world, &one.section, options, input_.place, {}, {}, nullptr, input_.heights},
-                   view::project_scene(world, view_.projection, options.limits, clipping), {budget_.run, budget_.lines},
-                   watch_)
+                   view::project_scene(world, view_.projection, options.limits, clipping_of(options)),
+                   {budget_.run, budget_.lines}, watch_)
         .run();
   } catch (const OutOfTime& cut) {
     partial_.add_stage(cut.stage);
@@ -522,9 +523,8 @@ std::vector<std::array<Vec2, 2>> ViewRun::traces(const view::PaperMap& paper, co
     if (const auto clipped = view::clip_edge(view_, from, to))
       lines.edges.push_back({clipped->vertex, clipped->t, EdgeKind::wire, 0, -1, 0});
   }
-  const visibility::HiddenSpans hidden = options_.wireframe
-                                             ? visibility::nothing_hidden(lines)
-                                             : visibility::find_hidden(input_.world, view_, lines, progress);
+  const visibility::HiddenSpans hidden =
+      options_.wireframe ? visibility::nothing_hidden(lines) : visibility::find_hidden(world_, view_, lines, progress);
   std::vector<std::array<Vec2, 2>> visible;
   for (std::size_t e = 0; e < lines.edges.size(); ++e)
     hidden.visit_parts(e, [&](double from, double to, bool is_visible) {
@@ -553,7 +553,7 @@ std::optional<report::Verification> ViewRun::verified(const DrawnLines& lines,
     for (edges::FeatureEdge& edge : in_mesh->edges) edge.shown = {-1, -1};
     mesh_lines = drawn_on(paper, *in_mesh, 0, progress);
   }
-  const verify::VerifyInput input{input_.world,    view_.projection,
+  const verify::VerifyInput input{world_,          view_.projection,
                                   options_.limits, in_mesh ? *in_mesh : drawn_,
                                   hidden_,         mesh_lines ? *mesh_lines : lines.drawing};
   const verify::Tolerance tolerance = tolerance_on(paper);
@@ -569,10 +569,12 @@ std::optional<report::Verification> ViewRun::verified(const DrawnLines& lines,
     found.ink = unjudged(lines.drawing, "lines, as their error is not known");
     return found;
   }
-  const verify::VerifyInput as_drawn{input_.world, view_.projection, options_.limits, drawn_, hidden_, lines.drawing};
+  const verify::VerifyInput as_drawn{world_, view_.projection, options_.limits, drawn_, hidden_, lines.drawing};
+  // What is merely estimated is no error to be forgiven: the judge looks for contours and crossings where they are.
+  const double off =
+      error->total() - (*error)[report::ErrorTerm::contours] - (*error)[report::ErrorTerm::intersections];
   try {
-    found.ink = verify::judge_ink(as_drawn, tolerance, {how, error_of_ink(*error), !(options_.least_crease > 0)},
-                                  outline.needs);
+    found.ink = verify::judge_ink(as_drawn, tolerance, {how, off, !(options_.least_crease > 0)}, outline.needs);
   } catch (const OutOfTime& cut) {
     budget_.partial.add_stage(cut.stage);
     found.ink = unjudged(lines.drawing, "lines, as time ran out");

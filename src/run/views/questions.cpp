@@ -1,19 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "views/questions.hpp"
 
+#include <optional>
 #include <string>
 
 #include "explain/explain.hpp"
 #include "explain/find_subjects.hpp"
 #include "explain/tables.hpp"
+#include "refine/refine_world.hpp"
 
 namespace epura::pipeline {
 
 std::string answer(const RunOptions& questions, const ViewInput& input, const ViewResult& result,
                    const Progress& progress) {
+  if (questions.why.empty() && !questions.dump) return {};
   const auto& [view, drawn, hidden, paper] = result.work;
-  const explain::ExplainInput drawn_view{
-      {input.world, view, drawn, hidden}, input.options.edges, paper, result.drawing, input.options.keep_hidden()};
+  // Refining takes less time than keeping a copy takes memory.
+  const std::optional<world::World> refined = refine::refine_world(input.world, view.projection);
+  const explain::ExplainInput drawn_view{{refined ? *refined : input.world, view, drawn, hidden},
+                                         input.options.edges,
+                                         paper,
+                                         result.drawing,
+                                         input.options.keep_hidden()};
   std::string text;
   if (questions.dump == DumpTable::edges) text += explain::edge_table(drawn_view, progress);
   if (questions.why.empty() && questions.dump != DumpTable::spans) return text;

@@ -82,7 +82,7 @@ bool outranks(const Piece& a, const Piece& b) {
   if (a.is_step != b.is_step) return b.is_step;
   if (a.kind != b.kind) return a.kind < b.kind;
   // Compared as floats, so that rounding does not decide.
-  const auto length = [](const Piece& p) { return static_cast<float>(length_of(p)); };
+  const auto length = [](const Piece& p) { return static_cast<float>(std::max(p.line, length_of(p))); };
   if (length(a) != length(b)) return length(a) > length(b);
   const auto middle = [](const Piece& p) {
     const Vec2 m = (p.from + p.to) / 2.0;

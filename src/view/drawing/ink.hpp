@@ -23,6 +23,7 @@ struct Piece {
   std::array<double, 2> s;  ///< page parameters of the ends along the edge
   bool is_step = false;     ///< FacesEdgeOn::has_step
   bool by_facets = false;   ///< only facets hide it that lie behind it as their surface does: facet_doubts.hpp decides
+  double line = 0;  ///< length of the straight line of which it is a part over several facets, mm; 0: it is whole
 };
 
 /// What is left of pieces, and within which distance of what was removed there is ink, mm.

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <tuple>
 
+#include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "drawing/chains.hpp"
@@ -73,6 +75,48 @@ std::vector<Piece> pieces_of(const visibility::ResolvedView& lines, const view::
     }
   });
   return pieces;
+}
+
+// Whether an edge ends at a vertex that refinement put inside a face of the part or on its border.
+bool ends_at_new_vertex(const visibility::ResolvedView& lines, const edges::FeatureEdge& edge, std::size_t end) {
+  const mesh::Mesh& mesh = *lines.world.models[edge.model].mesh;
+  const int vertex = edge.vertex[end] - lines.world.first_vertex[edge.model];
+  return edge.mesh_edge >= 0 && !mesh.cut_vertices.empty() && vertex >= mesh.first_cut_vertex &&
+         vertex < static_cast<int>(mesh.points.size());
+}
+
+// Contours of cylinders and cones run straight on from facet to facet: their parts rank as the line does.
+void measure_straight_lines(std::vector<Piece>& pieces, const visibility::ResolvedView& lines, double tolerance) {
+  struct NewEnd {
+    int vertex, piece, end;
+  };
+  std::vector<NewEnd> ends;
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    for (const std::size_t end : {0, 1}) {
+      const edges::FeatureEdge& edge = lines.drawn.edges[pieces[i].edge];
+      const bool is_end = pieces[i].s[end] == static_cast<double>(end) && length_of(pieces[i]) > tolerance;
+      if (edge.kind == EdgeKind::contour && is_end && ends_at_new_vertex(lines, edge, end))
+        ends.push_back({edge.vertex[end], static_cast<int>(i), static_cast<int>(end)});
+    }
+  std::ranges::sort(ends, {}, [](const NewEnd& e) { return std::tuple(e.vertex, e.piece, e.end); });
+  const auto along = [&](const NewEnd& e) {
+    const Piece& piece = pieces[static_cast<std::size_t>(e.piece)];
+    return e.end == 0 ? piece.to - piece.from : piece.from - piece.to;
+  };
+  DisjointSets joined(pieces.size());
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    for (std::size_t j = i + 1; j < ends.size() && ends[j].vertex == ends[i].vertex; ++j) {
+      const Vec2 one = along(ends[i]), other = along(ends[j]);
+      const double off = std::abs(cross(one, other)) / std::max(glm::length(one), glm::length(other));
+      if (glm::dot(one, other) < 0 && off <= tolerance) joined.join(ends[i].piece, ends[j].piece);
+    }
+  const std::vector<int> line = std::move(joined).roots();
+  std::vector<double> lengths(ends.empty() ? 0 : pieces.size(), 0);
+  for (std::size_t i = 0; i < lengths.size(); ++i) lengths[static_cast<std::size_t>(line[i])] += length_of(pieces[i]);
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    pieces[i].line = lengths[static_cast<std::size_t>(line[i])];
+    check(pieces[i].line >= length_of(pieces[i]), "a line is as long as its parts");
+  }
 }
 
 // Returns the edge of a file that a line shows; nothing for intersection lines and cuts through faces.
@@ -317,6 +361,7 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   const Coincidence limits = coincidence_on_paper(view, paper);
   progress.begin("merging lines");
   std::vector<Piece> pieces = unmerged_pieces(lines, paper, options, progress);
+  measure_straight_lines(pieces, lines, limits.tolerance);
   drawing.distances.contours_moved = lines.drawn.moved * paper.scale;
   if (options.near.distance > 0)
     drawing.distances.joined_within = draw_circles_once(lines, paper, limits.min, pieces, progress);

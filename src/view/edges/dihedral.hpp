@@ -19,12 +19,13 @@ struct EdgeSurroundings {
   /// The mesh before it was cut by a plane, if it is to be judged instead: edges and triangles below are those of this
   /// mesh then.
   const mesh::Mesh* uncut = nullptr;
-  /// By triangle: how its surface turns it on the page (refine/facing.hpp); empty if no surface is known.
+  /// By triangle of the drawn mesh: how its surface turns it on the page (refine/facing.hpp); empty if no surface is
+  /// known.
   std::span<const signed char> facing{};
 
   /// 1 if a triangle turns counterclockwise, -1 if clockwise, 0 if only the page tells.
   [[nodiscard]] int facing_of(int triangle) const {
-    return facing.empty() ? 0 : facing[static_cast<std::size_t>(triangle)];
+    return facing.empty() || uncut != nullptr ? 0 : facing[static_cast<std::size_t>(triangle)];
   }
   [[nodiscard]] const mesh::Mesh& mesh() const { return uncut != nullptr ? *uncut : *world.models[model].mesh; }
   /// The corners of a triangle, as vertices of the world.

@@ -323,7 +323,8 @@ struct EdgeJudge {
   }
 
   // Where a cut was moved onto the surface of the part, the remains of facets face elsewhere than the whole facets, and
-  // decide themselves. Nothing if none was moved there, or if the remains are too thin.
+  // decide themselves; so do those of which a surface tells how they turn. Nothing if neither holds, or if the remains
+  // are too thin.
   [[nodiscard]] std::optional<bool> is_contour_of_remains(const mesh::MeshEdge& edge) const {
     if (moved.empty() || !options.contour || edge.count != 2) return std::nullopt;
     const mesh::Mesh& cut = *around.world.models[around.model].mesh;
@@ -332,11 +333,15 @@ struct EdgeJudge {
       const std::array<int, 3> corners = cut.triangle(triangle);
       return std::any_of(corners.begin(), corners.end(), [&](int v) { return moved[v] != 0; });
     };
-    if (!has_moved(triangles[0]) && !has_moved(triangles[1])) return std::nullopt;
     EdgeJudge remains = *this;
     remains.around.uncut = nullptr;
+    const auto decides = [&](int triangle) { return remains.around.facing_of(triangle) != 0 || has_moved(triangle); };
+    if (!decides(triangles[0]) && !decides(triangles[1])) return std::nullopt;
     const std::array<int, 2> ends = in_world(edge.vertex);
-    const int one = remains.side(ends, triangles[0], edge_on), two = remains.side(ends, triangles[1], edge_on);
+    const auto side_of = [&](int triangle) {
+      return remains.side_at(ends, triangle, remains.around.apex(ends, triangle), edge_on);
+    };
+    const int one = side_of(triangles[0]), two = side_of(triangles[1]);
     return one == 0 || two == 0 ? std::nullopt : std::optional(one == two);
   }
 

@@ -37,7 +37,7 @@ inline constexpr double step_angle = 30;      ///< degrees, between two walls th
 inline constexpr double nearly_parallel = 0.996;  ///< cosine of 5 degrees: sides across which a facet extends
 inline constexpr double along_projector = 1e-5;   ///< cosine of 90 - 6e-4 degrees: a face is seen edge-on
 inline constexpr double join_contacts = 4;        ///< contacts: neighbours of one flat face are no farther off a plane
-inline constexpr double on_both = 1e-6;           ///< of the length of facets: a nearer point lies on both surfaces
+inline constexpr double on_both = 1e-6;           ///< of the length of facets: a nearer point is on both surfaces
 
 // Which triangles are slivers.
 
@@ -49,8 +49,7 @@ inline constexpr double slender = 1.0 / 64;  ///< and so are those with a greate
 inline constexpr double known_height = 16;   ///< roundings: a higher triangle has a known normal, and may be a wall
 inline constexpr int longest_row = 256;      ///< adjacent slivers; a longer row is not a surface any more
 
-// Where smooth contours and edges lie. How far a contour is moved at most on cylinders and cones is
-// surfaces::max_sagittas.
+// Where smooth contours and edges lie.
 
 inline constexpr double max_moved = 1;  ///< sizes of a triangle: a surface's contour is no farther from its facets'
 inline constexpr double max_facets_away = 2;  ///< facets from which the contour of a sphere is no farther

@@ -26,14 +26,11 @@ double bend_of_torus(const PartSurface& torus, const Vec3& point, const Vec3& vi
   return along_tube * along_tube + along_axis * along_axis * (away - torus.radius) / away;
 }
 
-// The same of any surface whose bend is known; otherwise 0. A cylinder or cone is straight along its axis only.
+// The same of balls and ring tori; otherwise 0.
 double bend_of(const PartSurface& surface, const Vec3& point, const Vec3& view) {
   switch (surface.kind) {
     case SurfaceKind::sphere:
       return 1;
-    case SurfaceKind::cylinder:
-    case SurfaceKind::cone:
-      return glm::dot(glm::cross(surface.axis, view), glm::cross(surface.axis, view));
     case SurfaceKind::torus:
       return is_ring_torus(surface) ? bend_of_torus(surface, point, view) : 0;
     default:

@@ -14,7 +14,6 @@
 #include "base/parallel.hpp"
 #include "edges/limits.hpp"
 #include "edges/own_hiding.hpp"
-#include "surfaces/limits.hpp"
 
 namespace epura::edges {
 
@@ -34,21 +33,10 @@ bool is_smoothed(const world::Placed& placed, int triangle) {
   return kind == SurfaceKind::sphere || kind == SurfaceKind::torus;
 }
 
-// Whether contours at a triangle are straight. They are moved to the surface at vertices inside the face, unless they
-// are edges of the mesh on it already (refine/refine_world.hpp).
-bool is_straight(const world::Placed& placed, int triangle) {
-  if (placed.mesh->uncut == nullptr && !placed.mesh->cut_vertices.empty()) return false;
+// Whether contours at a triangle are edges of the mesh already (refine/refine_world.hpp).
+bool is_refined(const world::Placed& placed, int triangle) {
   const SurfaceKind kind = kind_at(placed, triangle);
   return kind == SurfaceKind::cylinder || kind == SurfaceKind::cone;
-}
-
-// By vertex: whether a border of a face of the part passes through it.
-std::vector<char> vertices_on_borders(const world::Placed& placed) {
-  std::vector<char> on_border(placed.mesh->points.size(), 0);
-  for (std::size_t e = 0; e < placed.mesh->edges.size(); ++e)
-    if (placed.part->border_at(static_cast<std::ptrdiff_t>(e)) != nullptr || placed.mesh->edges[e].count != 2)
-      for (const int v : placed.mesh->edges[e].vertex) on_border[v] = 1;
-  return on_border;
 }
 
 double longest_side(const mesh::Mesh& mesh, int triangle) {
@@ -66,16 +54,15 @@ bool is_any_tiny(const world::Placed& placed, std::span<const int> triangles) {
 /// The contours of one model, in units of its file.
 class ModelContours {
  public:
-  ModelContours(const world::Placed& placed, const projection::Projection& projection, double part_angle,
-                const std::vector<char>& on_border)
+  ModelContours(const world::Placed& placed, const projection::Projection& projection, double part_angle)
       : placed_(placed),
         mesh_(*placed.mesh),
         part_(*placed.part),
         central_(projection.central),
-        part_angle_(part_angle),
-        on_border_(on_border) {
+        part_angle_(part_angle) {
     const Mat4 to_file = glm::inverse(placed.to_world);
     projector_ = Vec3(to_file * Vec4(projection.projector, central_ ? 1 : 0));
+    check(central_ || glm::length(projector_) > 0, "parallel projectors have a direction");
     at_vertex_ = Groups<int>(mesh_.points.size(), [&](const auto& visit) {
       for (std::size_t i = 0; i < mesh_.corners.size(); ++i)
         visit(static_cast<std::size_t>(mesh_.corners[i]), static_cast<int>(i / 3));
@@ -99,13 +86,12 @@ class ModelContours {
     std::optional<Vec3> nearest;
     int on_triangle = -1;
     for (const int t : sorted_triangles_at(vertex)) {
-      if (on_border_[vertex] != 0 && is_straight(placed_, t)) continue;
+      if (is_refined(placed_, t)) continue;
       if (surface_of(t).kind == SurfaceKind::sphere) return on_sphere(vertex, t);
       const auto line = contour_across(t);
       if (!line) continue;
       const Vec3 place = nearest_on_segment(from, (*line)[0], (*line)[1]);
       if (glm::distance(place, from) > max_moved * size_of(t)) continue;
-      if (is_straight(placed_, t) && seen_across(place, from, t) > surfaces::max_sagittas * rise_at(t)) continue;
       if (nearest && glm::distance(place, from) >= glm::distance(*nearest, from)) continue;
       nearest = place;
       on_triangle = t;
@@ -189,17 +175,6 @@ class ModelContours {
     return triangles;
   }
 
-  // The mean height of the surface over the facets of the face.
-  [[nodiscard]] double rise_at(int triangle) const {
-    return part_.faces[static_cast<std::size_t>(part_.face_of_triangle[triangle])].sagitta;
-  }
-
-  // How far the viewer sees a point from the contour of a face, given the nearest place on it. At the contour the
-  // surface is seen edge-on, so of the way to that place, only the part along the normal leads away from its image.
-  [[nodiscard]] double seen_across(const Vec3& place, const Vec3& point, int triangle) const {
-    return std::abs(glm::dot(point - place, surfaces::normal_near(surface_of(triangle), place)));
-  }
-
   [[nodiscard]] Vec3 towards_viewer(const Vec3& point) const { return central_ ? projector_ - point : projector_; }
 
   [[nodiscard]] bool is_wall(int triangle) const {
@@ -248,7 +223,9 @@ class ModelContours {
       check(t >= 0 && t <= 1, "a contour crosses a side between its ends");
       met[count++] = mesh_.point(corners[i]) + t * (mesh_.point(corners[j]) - mesh_.point(corners[i]));
     }
-    return count == 2 ? std::optional(std::array{met[0], met[1]}) : std::nullopt;
+    // A contour that only touches a corner leads nowhere.
+    const bool crosses = count == 2 && glm::distance(met[0], met[1]) > on_both * longest_side(mesh_, triangle);
+    return crosses ? std::optional(std::array{met[0], met[1]}) : std::nullopt;
   }
 
   const world::Placed& placed_;
@@ -256,7 +233,6 @@ class ModelContours {
   const surfaces::PartFaces& part_;
   bool central_;
   double part_angle_;
-  const std::vector<char>& on_border_;
   Vec3 projector_;  ///< the centre of projection, or a direction towards the viewer
   Groups<int> at_vertex_;
   std::vector<double> angle_at_;
@@ -270,17 +246,16 @@ class MovedEnds {
 
   void move(int model, double part_angle) {
     const world::Placed& placed = world_.models[model];
-    const std::vector<char> on_border = vertices_on_borders(placed);
-    const std::vector<int> edges = smoothed_edges(model, part_angle, on_border);
+    const std::vector<int> edges = smoothed_edges(model, part_angle);
     if (edges.empty()) return;
-    const ModelContours contours(placed, view_.projection, part_angle, on_border);
+    const ModelContours contours(placed, view_.projection, part_angle);
     for (const int e : edges) drawn_.edges[e].by_chance = contours.is_by_chance(triangles_at(drawn_.edges[e]));
     for (const int e : around_single_facets(model, part_angle)) drawn_.edges[e].by_chance = true;
     const int first = world_.first_vertex[model];
     std::vector<int> vertices;
     for (const int e : edges)
       for (const int v : drawn_.edges[e].vertex) vertices.push_back(v);
-    const std::vector<int> fixed = fixed_ends(model, edges, on_border);
+    const std::vector<int> fixed = fixed_ends(model, edges);
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());
     check(vertices.front() >= first && vertices.back() < static_cast<int>(view_.vertices.size()),
@@ -322,8 +297,7 @@ class MovedEnds {
 
  private:
   // Contours of the model inside smoothed faces, if they are entirely in the window.
-  [[nodiscard]] std::vector<int> smoothed_edges(int model, double part_angle,
-                                                const std::vector<char>& on_border) const {
+  [[nodiscard]] std::vector<int> smoothed_edges(int model, double part_angle) const {
     const world::Placed& placed = world_.models[model];
     std::vector<int> found;
     const auto [first, last] = edges_of(model);
@@ -334,7 +308,7 @@ class MovedEnds {
       if (border != nullptr && border->angle > part_angle) continue;
       const std::span<const int> triangles = triangles_at(edge);
       if (triangles.size() != 2) continue;
-      if (is_smoothed_at_ends(edge) || (is_straight_at(edge) && !is_on_border(edge, on_border))) found.push_back(e);
+      if (is_smoothed_at_ends(edge)) found.push_back(e);
     }
     return found;
   }
@@ -371,18 +345,6 @@ class MovedEnds {
                        [&](int t) { return is_smoothed(world_.models[edge.model], t); });
   }
 
-  [[nodiscard]] bool is_straight_at(const FeatureEdge& edge) const {
-    const std::span<const int> triangles = triangles_at(edge);
-    return std::any_of(triangles.begin(), triangles.end(),
-                       [&](int t) { return is_straight(world_.models[edge.model], t); });
-  }
-
-  // Whether both ends are on borders.
-  [[nodiscard]] bool is_on_border(const FeatureEdge& edge, const std::vector<char>& on_border) const {
-    const int first = world_.first_vertex[edge.model];
-    return on_border[edge.vertex[0] - first] != 0 && on_border[edge.vertex[1] - first] != 0;
-  }
-
   [[nodiscard]] std::span<const int> triangles_at(const FeatureEdge& edge) const {
     const mesh::Mesh& mesh = *world_.models[edge.model].mesh;
     return mesh.triangles_of(mesh.edges[static_cast<std::size_t>(edge.mesh_edge)]);
@@ -395,19 +357,14 @@ class MovedEnds {
     return {static_cast<int>(begin - drawn_.edges.begin()), static_cast<int>(end - drawn_.edges.begin())};
   }
 
-  // The ends of contours of the model that are not moved, in ascending order: of other contours, and those of straight
-  // ones on borders.
-  [[nodiscard]] std::vector<int> fixed_ends(int model, const std::vector<int>& smoothed,
-                                            const std::vector<char>& on_border) const {
+  // The ends of other contours of the model, which are not moved, in ascending order.
+  [[nodiscard]] std::vector<int> fixed_ends(int model, const std::vector<int>& smoothed) const {
     std::vector<int> ends;
     const auto [first, last] = edges_of(model);
     for (int e = first; e < last; ++e) {
       const FeatureEdge& edge = drawn_.edges[e];
-      if (edge.kind != EdgeKind::contour) continue;
-      const bool stays = !std::binary_search(smoothed.begin(), smoothed.end(), e);
-      const bool ends_at_borders = !stays && !is_smoothed_at_ends(edge);
-      for (const int v : edge.vertex)
-        if (stays || (ends_at_borders && on_border[v - world_.first_vertex[model]] != 0)) ends.push_back(v);
+      if (edge.kind == EdgeKind::contour && !std::binary_search(smoothed.begin(), smoothed.end(), e))
+        ends.insert(ends.end(), edge.vertex.begin(), edge.vertex.end());
     }
     std::sort(ends.begin(), ends.end());
     return ends;

@@ -13,8 +13,8 @@ namespace epura::edges {
 
 /// Sets FeatureEdge::shown, by_chance and hollow for contours inside recognised round surfaces and free forms,
 /// by_chance also around single facets that the tessellation turned over, and records how far this moved ink. Ends on
-/// sharp edges of the part stay unchanged; so does the contour of a cylinder or cone whose facets reach from one rim to
-/// the other. The vertices needed are added to the view.
+/// sharp edges of the part stay unchanged. Contours of cylinders and cones are edges of the mesh already
+/// (refine/refine_world.hpp). The vertices needed are added to the view.
 void smooth_contours(const world::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                      FeatureEdges& drawn);
 

@@ -9,6 +9,7 @@
 
 #include "refine/contour_plane.hpp"
 #include "refine/limits.hpp"
+#include "world/placed_part.hpp"
 
 namespace epura::refine {
 
@@ -40,7 +41,7 @@ struct Turns {
   std::vector<Turn> of_polygon, of_face;
 };
 
-Turns turns_of(const mesh::Mesh& mesh, const surfaces::PartFaces& part) {
+Turns turns_of(const mesh::Mesh& mesh, const surfaces::PartFaces& part, const std::vector<int>& faces) {
   Turns turns;
   turns.of_face.resize(part.faces.size());
   for (std::size_t t = 0; t < mesh.polygon.size(); ++t) {
@@ -48,7 +49,8 @@ Turns turns_of(const mesh::Mesh& mesh, const surfaces::PartFaces& part) {
     if (number >= turns.of_polygon.size()) turns.of_polygon.resize(number + 1);
     const auto [a, b, c] = mesh.triangle(static_cast<int>(t));
     const std::array<Vec3, 3> corners{mesh.point(a), mesh.point(b), mesh.point(c)};
-    const auto face = static_cast<std::size_t>(part.face_of_triangle[t]);
+    if (faces[t] < 0) continue;
+    const auto face = static_cast<std::size_t>(faces[t]);
     const surfaces::PartSurface& surface = part.faces[face].surface;
     const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
     const Vec3 out = has_contour_plane(surface.kind) ? surfaces::normal_near(surface, middle) : Vec3(0);
@@ -71,26 +73,31 @@ int side_of(const ContourPlane& plane, const mesh::Mesh& mesh, int triangle) {
 }  // namespace
 
 std::vector<signed char> facing_by_surface(const world::Placed& placed, const projection::Projection& projection) {
-  const bool is_refined = placed.mesh->uncut == nullptr && !placed.mesh->cut_vertices.empty();
-  if (placed.part == nullptr || placed.part->faces.empty() || !is_refined) return {};
+  const auto is_told = [](const surfaces::PartFace& face) { return has_contour_plane(face.surface.kind); };
+  if (placed.part == nullptr || std::ranges::none_of(placed.part->faces, is_told)) return {};
   const mesh::Mesh& mesh = *placed.mesh;
   const surfaces::PartFaces& part = *placed.part;
+  const std::vector<int> faces = world::faces_of_triangles(placed);
   const Viewer viewer = viewer_of(placed, projection);
   std::vector<std::optional<ContourPlane>> planes;
   for (const surfaces::PartFace& face : part.faces) planes.push_back(contour_plane(face.surface, viewer));
-  const Turns turns = turns_of(mesh, part);
+  const int first_new = mesh.cut_vertices.empty() ? static_cast<int>(mesh.points.size()) : mesh.first_cut_vertex;
+  const Turns turns = turns_of(mesh, part, faces);
   const int mirrored = glm::determinant(Mat3(placed.to_world)) < 0 ? -1 : 1;
-  std::vector<signed char> facing(part.face_of_triangle.size(), 0);
+  std::vector<signed char> facing(faces.size(), 0);
   for (std::size_t t = 0; t < facing.size(); ++t) {
+    if (faces[t] < 0) continue;
     const int triangle = static_cast<int>(t);
-    const auto face = static_cast<std::size_t>(part.face_of_triangle[t]);
+    const auto face = static_cast<std::size_t>(faces[t]);
     const Turn& polygon = turns.of_polygon[static_cast<std::size_t>(mesh.polygon[t])];
     if (planes[face]) {
-      const Turn& turn = polygon.is_told(part.tolerance) ? polygon : turns.of_face[face];
+      // Where all triangles are joined in one sense, one that turns against its face is folded over.
+      const bool decides = mesh.report.misoriented_edges > 0 && polygon.is_told(part.tolerance);
+      const Turn& turn = decides ? polygon : turns.of_face[face];
       const int side = side_of(*planes[face], mesh, triangle);
       facing[t] = static_cast<signed char>(mirrored * sign_of(turn.outwards) * side);
     } else if (part.faces[face].surface.kind == surfaces::SurfaceKind::plane &&
-               std::ranges::any_of(mesh.triangle(triangle), [&](int v) { return v >= mesh.first_cut_vertex; })) {
+               std::ranges::any_of(mesh.triangle(triangle), [&](int v) { return v >= first_new; })) {
       // A new vertex at a hollow rim may lie beyond a thin triangle of a plane, which is folded over by that.
       const Vec3 to = viewer.seen_from(mesh.point(mesh.triangle(triangle)[0]));
       const double seen = glm::dot(polygon.normal, to);

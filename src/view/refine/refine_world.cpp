@@ -18,6 +18,7 @@
 #include "refine/contour_plane.hpp"
 #include "refine/limits.hpp"
 #include "refine/split_triangle.hpp"
+#include "world/placed_part.hpp"
 
 namespace epura::refine {
 
@@ -60,19 +61,31 @@ class Heights {
 struct Model {
   const mesh::Mesh& mesh;
   const PartFaces& part;
+  std::vector<int> faces;                           ///< by triangle; -1: of a cut
   std::vector<std::optional<ContourPlane>> planes;  ///< by face
 
+  [[nodiscard]] int face_of(int triangle) const { return faces[static_cast<std::size_t>(triangle)]; }
   [[nodiscard]] const ContourPlane* plane_at(int triangle) const {
-    const auto& plane = planes[static_cast<std::size_t>(part.face_of_triangle[static_cast<std::size_t>(triangle)])];
+    if (face_of(triangle) < 0) return nullptr;
+    const auto& plane = planes[static_cast<std::size_t>(face_of(triangle))];
     return plane ? &*plane : nullptr;
   }
 };
 
 double parameter_of_zero(double from, double to) { return from / (from - to); }
 
+// Whether the viewer sees a vertex beyond the contour that passes close to it, since it is not quite on the surface:
+// facets between both would turn the wrong way. `place` is where the contour crosses an edge at the vertex.
+bool is_seen_beyond(const surfaces::PartSurface& surface, const Vec3& vertex, const Vec3& place) {
+  const double off = std::max(surfaces::signed_distance(surface, vertex), 0.0);
+  const double beyond = glm::dot(vertex - place, surfaces::normal_near(surface, place));
+  return beyond + surfaces::signed_distance(surface, place) + off >= 0;
+}
+
 // Sets the heights of a face; 0 for vertices through which its contour passes.
 void find_heights(const Model& model, int face, std::span<const int> triangles, Heights& heights) {
   const ContourPlane& plane = *model.planes[static_cast<std::size_t>(face)];
+  const surfaces::PartSurface& surface = model.part.faces[static_cast<std::size_t>(face)].surface;
   for (const int t : triangles)
     for (const int v : model.mesh.triangle(t))
       if (!heights.has(face, v)) heights.set(face, v, plane.height(model.mesh.point(v)));
@@ -83,8 +96,10 @@ void find_heights(const Model& model, int face, std::span<const int> triangles, 
       const double from = heights.of(a), to = heights.of(b);
       if (!(from * to < 0)) continue;
       const double at = parameter_of_zero(from, to);
-      if (at < at_corner) heights.set(face, a, 0);
-      if (at > 1 - at_corner) heights.set(face, b, 0);
+      const int near = at < 0.5 ? a : b;
+      const Vec3 p = model.mesh.point(a), place = p + at * (model.mesh.point(b) - p);
+      if (std::min(at, 1 - at) < at_corner || is_seen_beyond(surface, model.mesh.point(near), place))
+        heights.set(face, near, 0);
     }
   }
 }
@@ -106,7 +121,7 @@ void add_crossings(const Model& model, int face, std::span<const int> triangles,
 }
 
 Crossings find_crossings(const Model& model) {
-  const std::vector<int>& face_of = model.part.face_of_triangle;
+  const std::vector<int>& face_of = model.faces;
   const Groups<int> by_face(model.planes.size(), [&](const auto& visit) {
     for (std::size_t t = 0; t < face_of.size(); ++t)
       if (model.plane_at(static_cast<int>(t)) != nullptr)
@@ -132,15 +147,24 @@ Crossings find_crossings(const Model& model) {
   return crossings;
 }
 
-// The surface beyond the side of a face; null if none is known.
-const surfaces::PartSurface* surface_beyond(const Model& model, const mesh::MeshEdge& edge, int face) {
+// The surface beyond the side of a face; nothing if none is known. Beyond a cut, it is the plane of its triangle.
+std::optional<surfaces::PartSurface> surface_beyond(const Model& model, const mesh::MeshEdge& edge, int face) {
   const std::span<const int> beside = model.mesh.triangles_of(edge);
-  if (beside.size() != 2) return nullptr;
+  if (beside.size() != 2) return std::nullopt;
   for (const int t : beside) {
-    const int other = model.part.face_of_triangle[static_cast<std::size_t>(t)];
-    if (other != face) return &model.part.faces[static_cast<std::size_t>(other)].surface;
+    const int other = model.face_of(t);
+    if (other == face) continue;
+    if (other >= 0) return model.part.faces[static_cast<std::size_t>(other)].surface;
+    const auto [a, b, c] = model.mesh.triangle(t);
+    const Vec3 p = model.mesh.point(a), across = glm::cross(model.mesh.point(b) - p, model.mesh.point(c) - p);
+    if (!(glm::length(across) > 0)) return std::nullopt;
+    surfaces::PartSurface plane;
+    plane.kind = surfaces::SurfaceKind::plane;
+    plane.origin = p;
+    plane.axis = glm::normalize(across);
+    return plane;
   }
-  return nullptr;
+  return std::nullopt;
 }
 
 // Where the vertex of a split lies.
@@ -150,17 +174,17 @@ Vec3 place_of(const Model& model, const Split& split) {
   const Vec3 a = model.mesh.point(edge.vertex[0]), b = model.mesh.point(edge.vertex[1]);
   const Vec3 place = a + split.t * (b - a);
   const std::span<const int> beside = model.mesh.triangles_of(edge);
-  const bool is_inside = beside.size() == 2 && std::ranges::all_of(beside, [&](int t) {
-                           return model.part.face_of_triangle[static_cast<std::size_t>(t)] == split.face;
-                         });
+  const bool is_inside =
+      beside.size() == 2 && std::ranges::all_of(beside, [&](int t) { return model.face_of(t) == split.face; });
+  std::optional<surfaces::PartSurface> beyond;
+  if (!is_inside) beyond = surface_beyond(model, edge, split.face);
   std::optional<Rim> rim;
-  if (!is_inside) rim = Rim{glm::normalize(b - a), surface_beyond(model, edge, split.face)};
+  if (!is_inside) rim = Rim{glm::normalize(b - a), beyond ? &*beyond : nullptr};
   return place_on_contour(model.part.faces[face].surface, *model.planes[face], place, rim, glm::distance(a, b) / 2);
 }
 
 // Adds a vertex for each split; one for contours of two faces that cross their border in one place.
 void add_vertices(const Model& model, std::vector<Split>& splits, mesh::Mesh& refined) {
-  refined.first_cut_vertex = static_cast<int>(refined.points.size());
   for (std::size_t i = 0; i < splits.size(); ++i) {
     Split& split = splits[i];
     if (i > 0 && splits[i - 1].edge == split.edge && split.t - splits[i - 1].t < at_corner) {
@@ -170,7 +194,10 @@ void add_vertices(const Model& model, std::vector<Split>& splits, mesh::Mesh& re
     split.vertex = static_cast<int>(refined.points.size());
     const Vec3 place = place_of(model, split);
     refined.points.push_back({place.x, place.y, place.z});
-    refined.cut_vertices.push_back({model.mesh.edges[static_cast<std::size_t>(split.edge)].vertex, split.t});
+    const mesh::EdgeOrigin origin = model.mesh.origin_of(model.mesh.edges[static_cast<std::size_t>(split.edge)]);
+    refined.cut_vertices.push_back(
+        origin.in_file ? mesh::CutVertex{origin.vertex, origin.t[0] + split.t * (origin.t[1] - origin.t[0])}
+                       : mesh::CutVertex{{-1, -1}, 0});
   }
 }
 
@@ -220,7 +247,7 @@ void add_side(const Facet& facet, std::size_t i, std::vector<RingPoint>& ring) {
 }
 
 void split_triangles(const Model& model, const Crossings& crossings, mesh::Mesh& refined, PartFaces& part) {
-  std::vector<char> is_split(model.part.face_of_triangle.size(), 0);
+  std::vector<char> is_split(model.faces.size(), 0);
   for (const Split& split : crossings.splits)
     for (const int t : model.mesh.triangles_of(model.mesh.edges[static_cast<std::size_t>(split.edge)]))
       is_split[static_cast<std::size_t>(t)] = 1;
@@ -228,7 +255,7 @@ void split_triangles(const Model& model, const Crossings& crossings, mesh::Mesh&
     refined.corners.insert(refined.corners.end(), corners.begin(), corners.end());
     refined.polygon.push_back(model.mesh.polygon[t]);
     refined.body.push_back(model.mesh.body[t]);
-    part.face_of_triangle.push_back(model.part.face_of_triangle[t]);
+    part.face_of_triangle.push_back(model.faces[t]);
   };
   for (std::size_t t = 0; t < is_split.size(); ++t) {
     const int triangle = static_cast<int>(t);
@@ -236,12 +263,8 @@ void split_triangles(const Model& model, const Crossings& crossings, mesh::Mesh&
       add(model.mesh.triangle(triangle), t);
       continue;
     }
-    const Facet facet{model,
-                      crossings,
-                      refined,
-                      model.mesh.triangle(triangle),
-                      model.part.face_of_triangle[t],
-                      model.plane_at(triangle)};
+    const Facet facet{
+        model, crossings, refined, model.mesh.triangle(triangle), model.faces[t], model.plane_at(triangle)};
     std::vector<RingPoint> ring;
     for (std::size_t i = 0; i < 3; ++i) add_side(facet, i, ring);
     for (const std::array<int, 3>& corners : split_triangle(ring)) add(corners, t);
@@ -263,24 +286,35 @@ std::vector<EdgePart> make_edges(const Model& model, const std::vector<Split>& s
     if (model.mesh.edges[e].wire && splits_at(splits, static_cast<std::ptrdiff_t>(e)).empty())
       wires.push_back(model.mesh.edges[e].vertex);
   mesh::make_edges(refined, wires);
+  const auto first_new = static_cast<int>(model.mesh.points.size());
+  std::vector<Split> at(refined.points.size() - model.mesh.points.size());  // by new vertex
+  for (const Split& split : splits) at[static_cast<std::size_t>(split.vertex - first_new)] = split;
+  // Where a vertex of the refined mesh lies on an edge of the original.
+  const auto place_on = [&](int whole, int vertex) -> std::optional<double> {
+    if (vertex >= first_new) {
+      const Split& split = at[static_cast<std::size_t>(vertex - first_new)];
+      return split.edge == whole ? std::optional(split.t) : std::nullopt;
+    }
+    const std::array<int, 2>& ends = model.mesh.edges[static_cast<std::size_t>(whole)].vertex;
+    return vertex == ends[0] ? std::optional(0.0) : vertex == ends[1] ? std::optional(1.0) : std::nullopt;
+  };
   std::vector<EdgePart> parts;
   parts.reserve(refined.edges.size());
   std::size_t next = 0;  // edges of both meshes are sorted by their vertices
   for (std::size_t e = 0; e < refined.edges.size(); ++e) {
     mesh::MeshEdge& edge = refined.edges[e];
-    const mesh::EdgeOrigin origin = refined.origin_of(edge);
-    if (!origin.in_file) continue;
-    const mesh::MeshEdge* whole = nullptr;
-    if (edge.vertex[1] < refined.first_cut_vertex) {
-      while (model.mesh.edges[next].vertex < edge.vertex) ++next;
-      whole = &model.mesh.edges[next];
-    } else {
-      whole = model.mesh.edge_between(origin.vertex);
+    const bool is_old = edge.vertex[1] < first_new;
+    while (is_old && model.mesh.edges[next].vertex < edge.vertex) ++next;
+    const int whole = is_old ? static_cast<int>(next) : at[static_cast<std::size_t>(edge.vertex[1] - first_new)].edge;
+    const std::optional<double> from = place_on(whole, edge.vertex[0]), to = place_on(whole, edge.vertex[1]);
+    check(!is_old || (from && to), "a part of an edge belongs to an edge");
+    if (from && to) {
+      edge.wire = model.mesh.edges[static_cast<std::size_t>(whole)].wire;
+      edge.cut = model.mesh.edges[static_cast<std::size_t>(whole)].cut;
+      parts.push_back({whole, std::min(*from, *to), static_cast<int>(e)});
+    } else if (model.mesh.uncut != nullptr) {
+      edge.cut = mesh::CutEdge::inside;
     }
-    check(whole != nullptr && whole->vertex == origin.vertex, "a part of an edge belongs to an edge");
-    edge.wire = whole->wire;
-    parts.push_back(
-        {static_cast<int>(whole - model.mesh.edges.data()), std::min(origin.t[0], origin.t[1]), static_cast<int>(e)});
   }
   std::ranges::sort(parts, {}, [](const EdgePart& p) { return std::pair(p.whole, p.from); });
   return parts;
@@ -314,43 +348,63 @@ void divide_borders(const Model& model, const std::vector<EdgePart>& parts, std:
 }
 
 std::optional<world::Placed> refine_model(const world::Placed& placed, const projection::Projection& projection) {
-  if (placed.part == nullptr || placed.part->faces.empty() || placed.mesh->uncut != nullptr) return std::nullopt;
-  Model model{*placed.mesh, *placed.part, {}};
+  if (placed.part == nullptr || placed.part->faces.empty()) return std::nullopt;
+  const mesh::Mesh& mesh = *placed.mesh;
+  Model model{mesh, *placed.part, world::faces_of_triangles(placed), {}};
   const Viewer viewer = viewer_of(placed, projection);
   for (const surfaces::PartFace& face : placed.part->faces) model.planes.push_back(contour_plane(face.surface, viewer));
   Crossings crossings = find_crossings(model);
   if (crossings.splits.empty()) return std::nullopt;
   auto refined = std::make_shared<mesh::Mesh>();
-  refined->points = placed.mesh->points;
-  refined->report = placed.mesh->report;
+  refined->points = mesh.points;
+  refined->report = mesh.report;
+  refined->uncut = mesh.uncut;
+  refined->cut_vertices = mesh.cut_vertices;
+  refined->first_cut_vertex = mesh.uncut != nullptr ? mesh.first_cut_vertex : static_cast<int>(mesh.points.size());
   add_vertices(model, crossings.splits, *refined);
   auto part = std::make_shared<PartFaces>(*placed.part);
   part->face_of_triangle.clear();
   split_triangles(model, crossings, *refined, *part);
   const std::vector<EdgePart> parts = make_edges(model, crossings.splits, *refined);
-  divide_borders(model, parts, refined->edges.size(), *part);
   world::Placed result = placed;
+  // The faces of a cut model are those of the uncut part.
+  if (mesh.uncut == nullptr) {
+    divide_borders(model, parts, refined->edges.size(), *part);
+    result.part = std::move(part);
+  }
   result.mesh = std::move(refined);
-  result.part = std::move(part);
   return result;
+}
+
+// Adds a model of which a world has the vertices up to those that refinement made.
+void append(world::World& refined, const world::World& world, std::size_t model, world::Placed placed) {
+  const int first = refined.first_vertex.back();
+  const auto begin = world.points.begin() + world.first_vertex[model];
+  const auto end = world.points.begin() + world.first_vertex[model + 1];
+  refined.points.insert(refined.points.end(), begin, end);
+  const mesh::Mesh& mesh = *placed.mesh;
+  for (auto v = static_cast<int>(end - begin); v < static_cast<int>(mesh.points.size()); ++v)
+    refined.points.push_back(Vec3(placed.to_world * Vec4(mesh.point(v), 1)));
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    std::array<int, 3> corners = mesh.triangle(t);
+    for (int& v : corners) v += first;
+    refined.triangles.push_back(corners);
+  }
+  refined.first_vertex.push_back(static_cast<int>(refined.points.size()));
+  refined.first_triangle.push_back(static_cast<int>(refined.triangles.size()));
+  if (!world.wires.empty()) world::append_wires(refined, mesh, first);
+  refined.models.push_back(std::move(placed));
 }
 
 }  // namespace
 
 std::optional<world::World> refine_world(const world::World& world, const projection::Projection& projection) {
-  std::vector<world::Placed> models = world.models;
-  bool any = false;
-  for (world::Placed& placed : models)
-    if (std::optional<world::Placed> refined = refine_model(placed, projection)) {
-      placed = std::move(*refined);
-      any = true;
-    }
-  if (!any) return std::nullopt;
-  world::World refined = world::make_world(std::move(models));
-  refined.box = world.box;
-  refined.rounding = world.rounding;
-  refined.one_rounding = world.one_rounding;
-  refined.styles = world.styles;
+  std::vector<std::optional<world::Placed>> found;
+  for (const world::Placed& placed : world.models) found.push_back(refine_model(placed, projection));
+  if (std::ranges::none_of(found, [](const auto& one) { return one.has_value(); })) return std::nullopt;
+  world::World refined = world::without_models(world);
+  for (std::size_t model = 0; model < found.size(); ++model)
+    append(refined, world, model, found[model] ? std::move(*found[model]) : world.models[model]);
   return refined;
 }
 

@@ -13,7 +13,7 @@ namespace epura::refine {
 /// Returns the world with the contours of its recognised cylinders and cones among the edges of its meshes, or nothing
 /// if no facet must be split for that. New vertices lie on the surfaces, and on both at the border of two; they follow
 /// those of the file as vertices of a cut do (mesh::CutVertex), so edges and faces keep their names. The box of the
-/// world stays as it is. Models that a plane has cut are not refined.
+/// world stays as it is. What a plane has cut ends in that plane, to within what the surface rises over a facet.
 std::optional<world::World> refine_world(const world::World& world, const projection::Projection& projection);
 
 }  // namespace epura::refine

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <utility>
 
+#include "refine/refine_world.hpp"
 #include "visibility/clear_contours.hpp"
 #include "visibility/folds.hpp"
 
@@ -53,7 +55,8 @@ world::World Lab::prepare(world::World world) const {
 world::World Lab::world_of(const std::vector<Shape>& shapes) const { return prepare(laboratory::world_of(shapes)); }
 
 Result Lab::draw(world::World world, const Camera& camera, const edges::EdgeOptions& options) const {
-  Result r{std::move(world), {}, {}, {}, {}, 1, {}};
+  std::optional<world::World> refined = refine::refine_world(world, camera.projection);
+  Result r{refined ? std::move(*refined) : std::move(world), {}, {}, {}, {}, 1, {}};
   r.view = view_by(r.world, camera, arithmetic);
   r.unit = 1 / r.view.map.normalisation;
   r.condition = view::condition_of(camera.projection, r.world.box);

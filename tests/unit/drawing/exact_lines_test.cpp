@@ -27,11 +27,12 @@ struct Drawn {
 Drawn draw(const Shape& shape, const projection::Projection& projection) {
   Lab lab;
   lab.recognises = true;
-  const Result result = lab.draw(lab.world_of(shape), {projection});
+  const world::World world = lab.world_of(shape);
+  const Result result = lab.draw(world, {projection});
   Drawn drawn{
       drawing::make_drawing({result.world, result.view, result.drawn, result.hidden}, {scale, Vec2(0)}, {"test", true}),
       scale / result.unit};
-  drawing::draw_exactly(result.world, drawn.drawing, {1e-3});
+  drawing::draw_exactly(world, drawn.drawing, {1e-3});
   return drawn;
 }
 

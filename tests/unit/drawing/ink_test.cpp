@@ -67,6 +67,11 @@ TEST(Ink, AmongEqualsTheStrongerKindThenTheLongerThenTheEarlierEdgeStays) {
       drawing::resolve_coincident({piece({0, 0}, {4, 0}, true, 3), piece({0, 0}, {5, 0}, true, 7)}, tolerance, min);
   ASSERT_EQ(by_length.size(), 1U);
   EXPECT_EQ(by_length[0].edge, 7);
+  drawing::Piece part = piece({0, 0}, {4, 0}, true, 7);
+  part.line = 6;  // of which this is a facet's part
+  const auto by_line = drawing::resolve_coincident({piece({0, 0}, {5, 0}, true, 3), part}, tolerance, min);
+  ASSERT_EQ(by_line.size(), 2U);
+  EXPECT_EQ(length(by_line[1]), 4);
   const auto by_edge =
       drawing::resolve_coincident({piece({0, 0}, {4, 0}, true, 7), piece({0, 0}, {4, 0}, true, 3)}, tolerance, min);
   ASSERT_EQ(by_edge.size(), 1U);

@@ -110,12 +110,15 @@ DrawnPart draw_part(unsigned seed) {
   Parts parts(seed);
   const Shape part = parts.part();
   const bool isometric = seed % 2 == 0;
-  const Result result = lab.draw(lab.world_of(part), {orthographic(isometric ? Vec3(1, -1, 1) : parts.direction())});
+  const world::World world = lab.world_of(part);
+  const Result result = lab.draw(world, {orthographic(isometric ? Vec3(1, -1, 1) : parts.direction())});
   drawing::ViewDrawing drawing =
       drawing::make_drawing({result.world, result.view, result.drawn, result.hidden}, {scale, Vec2(0)}, {"test", true});
   const std::vector<drawing::Chain> facets = drawing.chains;
-  drawing::draw_exactly(result.world, drawing, {touching});
-  return {gaps_of(facets, drawing), !drawing.crossings.empty()};
+  drawing::draw_exactly(world, drawing, {touching});
+  const bool is_crossing = std::ranges::any_of(
+      drawing.segments, [](const drawing::Segment& segment) { return segment.kind == EdgeKind::intersection; });
+  return {gaps_of(facets, drawing), is_crossing};
 }
 
 // Where something hides facets and not the surface, or the reverse, both cannot agree: near corners, and more often

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "cut/cut_world.hpp"
+#include "scene/cutting_plane.hpp"
 #include "shapes.hpp"
 
 namespace epura::test::refine_world_test {
@@ -135,6 +137,57 @@ TEST(RefineWorld, AddsNoNeedlesAtCorners) {
   EXPECT_FALSE(refine_world(frustum_world(10, 10, sides), orthographic(tilted(60, 0))));
   EXPECT_FALSE(refine_world(frustum_world(10, 10, sides), orthographic(tilted(60, 0.005 * 360 / sides))));
   EXPECT_TRUE(refine_world(frustum_world(10, 10, sides), orthographic(tilted(60, 0.02 * 360 / sides))));
+}
+
+// A vertex off the surface by a little, which stands out over the contour beside it, would hide it: it is the contour.
+TEST(RefineWorld, ContoursPassThroughVerticesThatStandOut) {
+  for (const double off : {0.0, 2e-5}) {
+    Shape shape = frustum(10, 10, height, 48);
+    double& x = shape.points[48][0];
+    x += off;
+    const projection::Projection view = orthographic(tilted(60, 90 - 0.014 * 360 / 48));
+    const Result drawn = draw_refined(recognised(world_of(shape)), view);
+    double visible = 0;
+    for (const drawing::Segment& s : drawn.drawing.segments)
+      if (s.kind == EdgeKind::contour && s.visible && std::abs(s.from.x - s.to.x) < 1e-4 * std::abs(s.from.y - s.to.y))
+        visible += glm::distance(s.from, s.to) * drawn.unit;
+    EXPECT_NEAR(visible, 2 * height * std::sin(60 * degree), 0.05) << off;
+    EXPECT_NEAR(length_of_contours(drawn, false), 0, 0.05) << off;
+  }
+}
+
+// A plane through both contours of a cylinder: what is left of them ends on the surface, and in the plane to within
+// what the surface rises over a facet.
+TEST(RefineWorld, SplitsCutFacets) {
+  const double rise = 10 * (1 - std::cos(6 * degree));
+  for (const Vec3& normal : {Vec3(0, 0, 1), Vec3(0.3, 0.2, 1), Vec3(-0.5, 0.1, 0.8)}) {
+    const world::World whole = frustum_world(10, 10, 30);
+    const scene::CuttingPlane plane = scene::make_cutting_plane({{"A", ""}, Vec3(0, 0, 15), normal});
+    const cut::CutWorld cut = cut::cut_world(whole, plane);
+    const Vec3 towards = tilted(65, 17);
+    const projection::Projection view = orthographic(towards);
+    const auto refined = refine_world(cut.world, view);
+    ASSERT_TRUE(refined);
+    const mesh::Mesh& mesh = *refined->models.front().mesh;
+    int in_plane = 0;
+    for (std::size_t v = cut.world.points.size(); v < mesh.points.size(); ++v) {
+      const Vec3 p = mesh.point(static_cast<int>(v));
+      EXPECT_NEAR(std::hypot(p.x, p.y), 10, 1e-9);
+      EXPECT_NEAR(glm::dot(Vec3(p.x, p.y, 0), towards), 0, 1e-9);
+      in_plane += std::abs(glm::dot(p - plane.point, plane.normal)) < rise ? 1 : 0;
+    }
+    EXPECT_EQ(in_plane, 2);
+    const Result drawn = draw(*refined, view);
+    double expected = 0, contours = 0;
+    for (const double side : {-90.0, 90.0}) {
+      const Vec3 foot = 10.0 * Vec3(std::cos((17 + side) * degree), std::sin((17 + side) * degree), 0);
+      expected += (15 - glm::dot(foot, normal) / normal.z) * std::sin(65 * degree);
+    }
+    for (const drawing::Segment& s : drawn.drawing.segments)
+      if (s.kind == EdgeKind::contour && std::abs(s.from.x - s.to.x) < 1e-9 * std::abs(s.from.y - s.to.y))
+        contours += glm::distance(s.from, s.to) * drawn.unit;
+    EXPECT_NEAR(contours, expected, 2 * rise);
+  }
 }
 
 TEST(RefineWorld, KeepsTheNamesOfEdgesAndFaces) {
