@@ -19,7 +19,7 @@ bool is_on(const std::array<Vec2, 2>& line, const PageCurve& curve) {
 // Whether a line is the one that ends at `end` on facets, or an arc of which that is a part, or the other end of a line
 // that closes there, within `near`.
 bool is_own(const DrawnLine& one, const DrawnLine& line, const Vec2& end, double near) {
-  if (one.chain < 0 || one.chain != line.chain) return false;
+  if (one.chain != line.chain) return false;
   const double distance = std::min(glm::distance(one.facets[0], end), glm::distance(one.facets[1], end));
   return distance <= near || (one.curve >= 0 && one.curve == line.curve);
 }
@@ -53,7 +53,7 @@ std::vector<DrawnLine> drawn_lines(const std::vector<Chain>& chains, const std::
       const std::size_t next = (i + 1) % count;
       const std::array line{facets[number][i], facets[number][next]};
       const PageCurve drawn(chain.points[i], chain.points[next]);
-      all.push_back({line, drawn, !is_on(line, drawn), false, chain.visible, static_cast<int>(number)});
+      all.push_back({line, drawn, !is_on(line, drawn), chain.visible, static_cast<int>(number)});
     }
     for (std::size_t c = 0; c < chain.curves.size(); ++c) {
       const CurvePart& curve = chain.curves[c];
@@ -61,7 +61,7 @@ std::vector<DrawnLine> drawn_lines(const std::vector<Chain>& chains, const std::
       for (int i = curve.first; i < curve.last; ++i) {
         DrawnLine& one = all[first + static_cast<std::size_t>(i) % count];
         one.drawn = PageCurve(curve);
-        one.is_moved = one.is_arc = true;
+        one.is_moved = true;
         one.curve = static_cast<int>(c);
       }
     }
@@ -82,27 +82,8 @@ void DrawnLines::visit_others_at(const Vec2& end, const DrawnLine& line, const V
     if (!is_own(all_[i], line, end, near_) && is_at(all_[i], end)) visit(i);
 }
 
-bool DrawnLines::has_arc_through(const Vec2& place, const Vec2& end) const {
-  const std::span<const int> here = at_(end);
-  return std::any_of(here.begin(), here.end(), [&](int i) {
-    return all_[i].is_arc && is_at(all_[i], end) && all_[i].drawn.distance(place) <= touching_;
-  });
-}
-
-std::optional<Vec2> DrawnLines::touch_of_contour(const CurvePart& arc, const std::array<Vec2, 2>& line) const {
-  std::optional<Vec2> nearest;
-  for (const Vec2& place : line)
-    for (const int i : at_(place)) {
-      const DrawnLine& one = all_[i];
-      if (one.chain >= 0 || !is_at(one, place) || one.drawn.distance(line[0]) <= near_) continue;
-      if (PageCurve(one.facets[0], one.facets[1]).distance(line[0]) <= near_)
-        take_nearer(nearest, touch_near(PageCurve(arc), one.drawn, line[0], touching_), line[0]);
-    }
-  return nearest;
-}
-
-// Where a line crosses or touches the line with a number near the end that facets have, or what goes on from that in
-// its chain, or else its end.
+// Where a line crosses the line with a number near the end that facets have, or what goes on from that in its chain, or
+// else its end.
 std::optional<Vec2> DrawnLines::meeting(const DrawnLine& line, std::size_t number, const Vec2& end) const {
   const DrawnLine& one = all_[number];
   const double most = glm::distance(one.facets[0], one.facets[1]);
@@ -116,11 +97,7 @@ std::optional<Vec2> DrawnLines::meeting(const DrawnLine& line, std::size_t numbe
     if (all_[i].drawn.is_in_part(*place)) return place;
     if (i == number) beyond = all_[i].drawn.end_near(*place);
   }
-  if (beyond && is_near(*beyond)) return beyond;
-  // Contours touch arcs; others that seem to are chords of nearly the same curve.
-  if (line.chain >= 0 && one.chain >= 0) return std::nullopt;
-  const auto place = touch_near(line.drawn, one.drawn, end, touching_);
-  return place && glm::distance(*place, end) <= most ? place : std::nullopt;
+  return beyond && is_near(*beyond) ? beyond : std::nullopt;
 }
 
 std::optional<Vec2> DrawnLines::end_in_edge(const DrawnLine& line, const Vec2& end) const {
@@ -132,7 +109,7 @@ std::optional<Vec2> DrawnLines::end_in_edge(const DrawnLine& line, const Vec2& e
     visit_others_at(end, line, [&](std::size_t i) {
       const DrawnLine& one = all_[i];
       if (!one.visible || one.is_moved != moved) return;
-      found = found || line.chain >= 0;  // a contour is beside its own hidden part, which is such a line, too
+      found = true;
       take_nearer(nearest, meeting(line, i, end), end);
     });
   }

@@ -18,9 +18,8 @@ struct DrawnLine {
   std::array<Vec2, 2> facets;
   PageCurve drawn;
   bool is_moved;  ///< it is drawn elsewhere
-  bool is_arc;
   bool visible;
-  int chain = -1;  ///< its number; -1 for a contour
+  int chain;       ///< its number
   int curve = -1;  ///< its number in that chain; -1 for a straight line
 };
 
@@ -32,12 +31,6 @@ class DrawnLines {
  public:
   /// Those at a place are within `near` of it; lines that come within `touching` of each other touch; mm.
   DrawnLines(std::vector<DrawnLine> all, double near, double touching);
-
-  /// Whether an arc that passes `end` on facets is drawn through a place.
-  [[nodiscard]] bool has_arc_through(const Vec2& place, const Vec2& end) const;
-  /// Where an arc touches a contour that lies, on facets, on a straight line from the end of the arc, and passes either
-  /// end of that, but is drawn elsewhere; nothing if there is none.
-  [[nodiscard]] std::optional<Vec2> touch_of_contour(const CurvePart& arc, const std::array<Vec2, 2>& line) const;
 
   /// Where a line ends on paper that something hides from `end` on, which is on facets. What is drawn elsewhere hides
   /// before what is not. A straight line that is not drawn elsewhere itself ends where facets have it, unless such a

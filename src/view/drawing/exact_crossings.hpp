@@ -21,8 +21,6 @@ class ExactCrossings {
   /// Refers to both.
   ExactCrossings(const PartEdges& edges, const ViewDrawing& drawing);
 
-  /// Whether a place on the page, on facets, is a node.
-  [[nodiscard]] bool is_node(const Vec2& place) const { return number_of_.find(place) != nullptr; }
   /// Where the node at a place on the page is on the surfaces; nothing if there is none, if it stays, or if lines do
   /// not end there, but where something hides them.
   [[nodiscard]] std::optional<Vec2> moved(const Vec2& place) const;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "drawing/curve_part.hpp"
-#include "drawing/exact_contours.hpp"
+#include "drawing/ends_on_paper.hpp"
 #include "drawing/exact_crossings.hpp"
 #include "drawing/known_circles.hpp"
 #include "drawing/limits.hpp"
@@ -39,7 +39,7 @@ CurveReport draw_exactly(const world::World& world, ViewDrawing& drawing, CurveL
   }
   const KnownCircles known = known_circles(edges, drawing);
   const CurveReport found = find_curves(drawing.chains, limits, known, progress);
-  move_contours(edges, crossings, ends, limits.tolerance, drawing);
+  move_ends(crossings, ends, limits.tolerance, drawing);
   widen_box(drawing);
   return found;
 }

@@ -33,12 +33,6 @@ Vec2 PageCurve::end_near(const Vec2& place) const {
   return at(std::clamp(parameter_near_part(place), range_[0], range_[1]));
 }
 
-Vec2 PageCurve::place_of_tangent(const Vec2& along, const Vec2& point) const {
-  const double angle = portable_atan2(cross(along, shape_.v), cross(along, shape_.u));
-  const Vec2 place = shape_.at(angle), opposite = 2.0 * shape_.centre - place;
-  return glm::distance(place, point) <= glm::distance(opposite, point) ? place : opposite;
-}
-
 std::optional<Vec2> crossing_near(const PageCurve& one, const PageCurve& other, const Vec2& point) {
   double s = one.parameter_of(point), t = other.parameter_of(point);
   for (int step = 0; step < newton_steps; ++step) {
@@ -51,13 +45,6 @@ std::optional<Vec2> crossing_near(const PageCurve& one, const PageCurve& other, 
     if (std::max(std::abs(ds) * glm::length(along), std::abs(dt) * glm::length(across)) <= settled_mm) return one.at(s);
   }
   return std::nullopt;
-}
-
-std::optional<Vec2> touch_near(const PageCurve& one, const PageCurve& other, const Vec2& point, double within) {
-  if (one.is_straight() == other.is_straight()) return std::nullopt;
-  const PageCurve &line = one.is_straight() ? one : other, &ellipse = one.is_straight() ? other : one;
-  const Vec2 place = ellipse.place_of_tangent(line.derivative(0), point);
-  return line.distance(place) <= within ? std::optional(place) : std::nullopt;
 }
 
 }  // namespace epura::drawing

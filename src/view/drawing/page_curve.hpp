@@ -32,8 +32,6 @@ class PageCurve {
   /// The end of the part beyond which a place on the whole curve is.
   [[nodiscard]] Vec2 end_near(const Vec2& place) const;
   [[nodiscard]] bool is_straight() const { return is_straight_; }
-  /// Of both places of the whole ellipse whose tangents have a direction, the one that is nearer to a point.
-  [[nodiscard]] Vec2 place_of_tangent(const Vec2& along, const Vec2& point) const;
 
  private:
   // That of a place, for an ellipse less than half a turn from the middle of the part.
@@ -47,9 +45,5 @@ class PageCurve {
 /// Returns where two curves cross near a point, by Newton's method; nothing if they do not cross there, or at too small
 /// an angle.
 std::optional<Vec2> crossing_near(const PageCurve& one, const PageCurve& other, const Vec2& point);
-
-/// Returns where a straight line and an ellipse touch: the place of the ellipse near a point whose tangent is parallel
-/// to the line, if it is within a distance of the line.
-std::optional<Vec2> touch_near(const PageCurve& one, const PageCurve& other, const Vec2& point, double within);
 
 }  // namespace epura::drawing

@@ -40,21 +40,5 @@ TEST(PageCurve, EndsWhereItsPartDoes) {
   EXPECT_EQ(line.end_near({3, 0}), Vec2(2, 0));
 }
 
-// y = c - x / 2 touches x^2 / 16 + y^2 / 4 = 1 at c = +-sqrt(8), in (c, c / 2).
-TEST(PageCurve, TouchesTheNearerSide) {
-  const double c = std::sqrt(8);
-  for (const double side : {1.0, -1.0}) {
-    const Vec2 touched(side * c, side * c / 2);
-    const PageCurve line({0, side * c}, {2 * side * c, 0});
-    expect_at(touch_near(line, quarter(), {side * 3, side}, 1e-9), touched);
-    expect_at(touch_near(quarter(), line, {side * 3, side}, 1e-9), touched);
-    EXPECT_FALSE(touch_near(line, quarter(), {-side * 3, -side}, 1e-3));
-  }
-  const PageCurve beside({0, c + 0.1}, {2 * c, 0.1});
-  EXPECT_FALSE(touch_near(beside, quarter(), {3, 1}, 0.05));
-  EXPECT_TRUE(touch_near(beside, quarter(), {3, 1}, 0.1));
-  EXPECT_FALSE(touch_near(beside, beside, {3, 1}, 1));
-}
-
 }  // namespace
 }  // namespace epura::test::page_curve_test
