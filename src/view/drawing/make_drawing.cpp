@@ -127,6 +127,40 @@ std::optional<std::array<int, 2>> edge_in_file(const world::World& world, const 
   return origin.in_file ? std::optional(origin.vertex) : std::nullopt;
 }
 
+// Where an end of a drawn line would be on an edge of the file, as a part of which it was drawn or made; nothing for
+// other lines.
+std::optional<Vec3> place_in_file(const world::World& world, const edges::FeatureEdge& edge, std::size_t end) {
+  if (edge.mesh_edge < 0) return std::nullopt;
+  const mesh::Mesh& mesh = *world.models[edge.model].mesh;
+  const mesh::EdgeOrigin origin = mesh.origin_of(mesh.edges[edge.mesh_edge]);
+  const int first = world.first_vertex[edge.model], vertex = edge.vertex[end] - first;
+  mesh::CutVertex on{origin.vertex, edge.t[end]};
+  if (!origin.in_file) {
+    if (edge.kind != EdgeKind::contour || vertex < mesh.first_cut_vertex || vertex >= std::ssize(mesh.points))
+      return std::nullopt;
+    on = mesh.cut_vertices[vertex - mesh.first_cut_vertex];
+    if (on.edge[0] < 0) return std::nullopt;
+  }
+  const Vec3 a = world.points[first + on.edge[0]], b = world.points[first + on.edge[1]];
+  return a + on.t * (b - a);
+}
+
+// The greatest distance at which parts of edges of the file end beside them, on the surfaces that meet there; mm.
+double moved_by_refinement(const visibility::ResolvedView& lines, const view::PaperMap& paper) {
+  const Mat4 to_page = view::world_to_page(lines.view, paper);
+  double largest = 0;
+  for (const edges::FeatureEdge& edge : lines.drawn.edges) {
+    if (edge.mesh_edge < 0 || lines.world.models[edge.model].mesh->cut_vertices.empty()) continue;
+    for (const std::size_t end : {0, 1}) {
+      const std::optional<Vec3> in_file = place_in_file(lines.world, edge, end);
+      const Vec4 place = in_file ? to_page * Vec4(*in_file, 1) : Vec4(0);
+      if (place.w > 0)
+        largest = std::max(largest, glm::distance(Vec2(place) / place.w, paper(lines.view.vertices[edge.vertex[end]])));
+    }
+  }
+  return largest > coincidence_on_paper(lines.view, paper).tolerance ? largest : 0;
+}
+
 // Returns the named body of its model that a line belongs to; -1 if it is none.
 int body_of(const world::World& world, const edges::FeatureEdges& drawn, const edges::FeatureEdge& edge) {
   const mesh::Mesh& mesh = *world.models[edge.model].mesh;
@@ -362,7 +396,7 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   progress.begin("merging lines");
   std::vector<Piece> pieces = unmerged_pieces(lines, paper, options, progress);
   measure_straight_lines(pieces, lines, limits.tolerance);
-  drawing.distances.contours_moved = lines.drawn.moved * paper.scale;
+  drawing.distances.contours_moved = std::max(lines.drawn.moved * paper.scale, moved_by_refinement(lines, paper));
   if (options.near.distance > 0)
     drawing.distances.joined_within = draw_circles_once(lines, paper, limits.min, pieces, progress);
   pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.min, progress);

@@ -52,9 +52,16 @@ void add_mesh_edges(const EdgeSurroundings& around, view::ProjectedScene& view, 
   check(kinds.size() == edges.size(), "every edge of a mesh is judged");
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (!kinds[e]) continue;
-    const auto part = view::clip_edge(view, first + edges[e].vertex[0], first + edges[e].vertex[1]);
+    // A part of an edge of the file runs as that does.
+    mesh::EdgeOrigin origin = world.models[model].mesh->origin_of(edges[e]);
+    std::array<int, 2> ends = edges[e].vertex;
+    if (origin.t[0] > origin.t[1]) {
+      std::swap(origin.t[0], origin.t[1]);
+      std::swap(ends[0], ends[1]);
+    }
+    const auto part = view::clip_edge(view, first + ends[0], first + ends[1]);
     if (!part) continue;
-    const std::array<double, 2> from_to = world.models[model].mesh->origin_of(edges[e]).t;
+    const std::array<double, 2>& from_to = origin.t;
     const auto in_file = [&](double t) { return t == 0 ? from_to[0] : from_to[0] + t * (from_to[1] - from_to[0]); };
     drawn.edges.push_back(
         {part->vertex, {in_file(part->t[0]), in_file(part->t[1])}, *kinds[e], model, static_cast<int>(e), -1});
@@ -108,6 +115,7 @@ void check_sound(const FeatureEdges& drawn, const view::ProjectedScene& view) {
     check(is_vertex(edge.vertex[0]) && is_vertex(edge.vertex[1]), "an edge ends at vertices of the view");
     check(edge.shown[0] < vertices && edge.shown[1] < vertices, "an edge is shown at vertices of the view");
     check(is_part(edge.t[0]) && is_part(edge.t[1]), "the parameters of an edge are from 0 to 1");
+    check(edge.t[0] <= edge.t[1], "a part of an edge runs as the edge does");
     check(edge.mesh_edge >= 0 ? edge.crossing == -1 : edge.crossing >= 0 && edge.crossing < crossings,
           "an edge belongs to a mesh or to a crossing");
     check(edge.model >= model || edge.crossing >= 0, "edges are in the order of their models");

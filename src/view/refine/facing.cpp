@@ -19,14 +19,12 @@ int sign_of(double value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
 /// How the triangles of a polygon of the file, or of a face of the part, turn.
 struct Turn {
-  Vec3 normal{0};       ///< twice its vector area
   double outwards = 0;  ///< positive if its triangles turn counterclockwise seen from outside of their surface
   double area = 0;      ///< twice its area
   double longest = 0;   ///< side of a triangle
 
   void add(const std::array<Vec3, 3>& p, const Vec3& out) {
     const Vec3 across = glm::cross(p[1] - p[0], p[2] - p[0]);
-    normal += across;
     outwards += glm::dot(across, out);
     area += glm::length(across);
     longest = std::max({longest, glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
@@ -81,29 +79,19 @@ std::vector<signed char> facing_by_surface(const world::Placed& placed, const pr
   const Viewer viewer = viewer_of(placed, projection);
   std::vector<std::optional<ContourPlane>> planes;
   for (const surfaces::PartFace& face : part.faces) planes.push_back(contour_plane(face.surface, viewer));
-  const int first_new = mesh.cut_vertices.empty() ? static_cast<int>(mesh.points.size()) : mesh.first_cut_vertex;
   const Turns turns = turns_of(mesh, part, faces);
   const int mirrored = glm::determinant(Mat3(placed.to_world)) < 0 ? -1 : 1;
   std::vector<signed char> facing(faces.size(), 0);
   for (std::size_t t = 0; t < facing.size(); ++t) {
     if (faces[t] < 0) continue;
-    const int triangle = static_cast<int>(t);
     const auto face = static_cast<std::size_t>(faces[t]);
+    if (!planes[face]) continue;
+    // Where all triangles are joined in one sense, one that turns against its face is folded over.
     const Turn& polygon = turns.of_polygon[static_cast<std::size_t>(mesh.polygon[t])];
-    if (planes[face]) {
-      // Where all triangles are joined in one sense, one that turns against its face is folded over.
-      const bool decides = mesh.report.misoriented_edges > 0 && polygon.is_told(part.tolerance);
-      const Turn& turn = decides ? polygon : turns.of_face[face];
-      const int side = side_of(*planes[face], mesh, triangle);
-      facing[t] = static_cast<signed char>(mirrored * sign_of(turn.outwards) * side);
-    } else if (part.faces[face].surface.kind == surfaces::SurfaceKind::plane &&
-               std::ranges::any_of(mesh.triangle(triangle), [&](int v) { return v >= first_new; })) {
-      // A new vertex at a hollow rim may lie beyond a thin triangle of a plane, which is folded over by that.
-      const Vec3 to = viewer.seen_from(mesh.point(mesh.triangle(triangle)[0]));
-      const double seen = glm::dot(polygon.normal, to);
-      if (std::abs(seen) > edge_on * glm::length(polygon.normal) * glm::length(to))
-        facing[t] = static_cast<signed char>(mirrored * sign_of(seen));
-    }
+    const bool decides = mesh.report.misoriented_edges > 0 && polygon.is_told(part.tolerance);
+    const Turn& turn = decides ? polygon : turns.of_face[face];
+    const int side = side_of(*planes[face], mesh, static_cast<int>(t));
+    facing[t] = static_cast<signed char>(mirrored * sign_of(turn.outwards) * side);
   }
   return facing;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What counts as near, edge-on and solved where meshes are refined: the limits of this stage.
+// What counts as near and solved where meshes are refined: the limits of this stage.
 #pragma once
 
 namespace epura::refine {
@@ -9,7 +9,6 @@ namespace epura::refine {
 inline constexpr double at_corner = 0.01;
 inline constexpr double along_axis = 1e-5;     ///< sine: a cylinder seen so closely along its axis has no contour
 inline constexpr double least_volume = 0.02;   ///< of three unit normals: surfaces that meet at less nearly touch
-inline constexpr double edge_on = 1e-3;        ///< cosine: facets that are seen so flatly do not tell how they turn
 inline constexpr double told_from = 8;         ///< tolerances of the part: lower polygons turn as their face does
 inline constexpr double min_agreement = 0.5;   ///< cosine of 60 degrees: facets face no farther from their surface
 inline constexpr double solved_within = 1e-9;  ///< parts of the reach

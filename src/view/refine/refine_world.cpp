@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <functional>
+#include <map>
 #include <memory>
 #include <span>
 #include <tuple>
@@ -246,7 +247,9 @@ void add_side(const Facet& facet, std::size_t i, std::vector<RingPoint>& ring) {
   }
 }
 
-void split_triangles(const Model& model, const Crossings& crossings, mesh::Mesh& refined, PartFaces& part) {
+// Returns the triangle of the original mesh of which each one is a part.
+std::vector<int> split_triangles(const Model& model, const Crossings& crossings, mesh::Mesh& refined, PartFaces& part) {
+  std::vector<int> wholes;
   std::vector<char> is_split(model.faces.size(), 0);
   for (const Split& split : crossings.splits)
     for (const int t : model.mesh.triangles_of(model.mesh.edges[static_cast<std::size_t>(split.edge)]))
@@ -256,6 +259,7 @@ void split_triangles(const Model& model, const Crossings& crossings, mesh::Mesh&
     refined.polygon.push_back(model.mesh.polygon[t]);
     refined.body.push_back(model.mesh.body[t]);
     part.face_of_triangle.push_back(model.faces[t]);
+    wholes.push_back(static_cast<int>(t));
   };
   for (std::size_t t = 0; t < is_split.size(); ++t) {
     const int triangle = static_cast<int>(t);
@@ -269,7 +273,113 @@ void split_triangles(const Model& model, const Crossings& crossings, mesh::Mesh&
     for (std::size_t i = 0; i < 3; ++i) add_side(facet, i, ring);
     for (const std::array<int, 3>& corners : split_triangle(ring)) add(corners, t);
   }
+  return wholes;
 }
+
+/// The triangles of a refined model that lie in planes. A new vertex at a hollow rim may be beyond thin ones, which are
+/// folded over then.
+class FlatTriangles {
+ public:
+  FlatTriangles(const Model& model, const std::vector<int>& wholes, mesh::Mesh& refined)
+      : model_(model), wholes_(wholes), refined_(refined) {}
+
+  /// Flips sides beyond new vertices until the triangles cover their planes once.
+  void unfold() {
+    std::vector<int> open;
+    for (int t = 0; t < refined_.triangle_count(); ++t)
+      if (is_new(t) && is_folded(t)) open.push_back(t);
+    if (open.empty()) return;
+    for (int t = 0; t < refined_.triangle_count(); ++t)
+      if (plane_of(t) != none) set_sides(t, -1, t);
+    while (!open.empty()) {
+      const int t = open.back();
+      open.pop_back();
+      if (!is_folded(t)) continue;
+      for (std::size_t i = 0; i < 3; ++i)
+        if (const int other = flip(t, i); other >= 0) {
+          open.insert(open.end(), {t, other});
+          break;
+        }
+    }
+  }
+
+ private:
+  static constexpr int none = -1;
+
+  // Of the plane of the part or of the cut in which a triangle lies.
+  [[nodiscard]] int plane_of(int triangle) const {
+    const int whole = wholes_[static_cast<std::size_t>(triangle)], face = model_.face_of(whole);
+    if (face < 0 && model_.mesh.uncut == nullptr) return none;
+    if (face < 0) return static_cast<int>(model_.planes.size()) + model_.mesh.polygon[static_cast<std::size_t>(whole)];
+    const bool is_plane =
+        model_.part.faces[static_cast<std::size_t>(face)].surface.kind == surfaces::SurfaceKind::plane;
+    return is_plane ? face : none;
+  }
+
+  [[nodiscard]] bool is_new(int triangle) const {
+    return std::ranges::any_of(refined_.triangle(triangle), [&](int v) { return is_new_vertex(v); });
+  }
+  [[nodiscard]] bool is_new_vertex(int v) const { return v >= static_cast<int>(model_.mesh.points.size()); }
+
+  [[nodiscard]] static Vec3 across(const mesh::Mesh& mesh, const std::array<int, 3>& corners) {
+    const Vec3 a = mesh.point(corners[0]);
+    return glm::cross(mesh.point(corners[1]) - a, mesh.point(corners[2]) - a);
+  }
+  // Which way a triangle turned before it was split.
+  [[nodiscard]] Vec3 turn(int triangle) const {
+    const Vec3 whole = across(model_.mesh, model_.mesh.triangle(wholes_[static_cast<std::size_t>(triangle)]));
+    return glm::length(whole) > 0 ? glm::normalize(whole) : whole;
+  }
+  [[nodiscard]] bool is_folded(int triangle) const {
+    return plane_of(triangle) != none && glm::dot(across(refined_, refined_.triangle(triangle)), turn(triangle)) < 0;
+  }
+
+  static std::array<int, 2> side(const std::array<int, 3>& corners, std::size_t i) {
+    const auto [low, high] = std::minmax(corners[(i + 1) % 3], corners[(i + 2) % 3]);
+    return {low, high};
+  }
+  // Puts a triangle in the place of another one beside its sides.
+  void set_sides(int triangle, int before, int after) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      std::vector<int>& beside = beside_[side(refined_.triangle(triangle), i)];
+      std::erase(beside, before);
+      if (after >= 0) beside.push_back(after);
+    }
+  }
+  void set_corners(int triangle, const std::array<int, 3>& corners) {
+    std::ranges::copy(corners, refined_.corners.begin() + 3 * std::ptrdiff_t{triangle});
+  }
+
+  // Flips the side opposite to a corner if that is new and the triangles at the side overlap less then. Returns the
+  // other triangle; -1 if the side stays.
+  int flip(int triangle, std::size_t corner) {
+    const std::array<int, 3> own = refined_.triangle(triangle);
+    const int tip = own[corner], from = own[(corner + 1) % 3], to = own[(corner + 2) % 3];
+    const std::array<int, 2> ends = side(own, corner);
+    const std::vector<int> beside = beside_[ends];
+    const mesh::MeshEdge* edge = model_.mesh.edge_between(ends);
+    if (!is_new_vertex(tip) || beside.size() != 2 || (edge != nullptr && edge->wire)) return -1;
+    const int other = beside[beside[0] == triangle ? 1 : 0];
+    if (plane_of(other) != plane_of(triangle) || !(glm::dot(turn(other), turn(triangle)) > 0)) return -1;
+    int beyond = -1;
+    for (const int v : refined_.triangle(other))
+      if (v != from && v != to) beyond = v;
+    const auto area = [&](const std::array<int, 3>& c) { return glm::length(across(refined_, c)); };
+    const std::array<int, 3> one{tip, from, beyond}, two{tip, beyond, to};
+    const double before = area(own) + area(refined_.triangle(other)), after = area(one) + area(two);
+    if (beyond == tip || !(after < (1 - flat_part) * before)) return -1;
+    for (const int t : {triangle, other}) set_sides(t, t, -1);
+    set_corners(triangle, one);
+    set_corners(other, two);
+    for (const int t : {triangle, other}) set_sides(t, -1, t);
+    return other;
+  }
+
+  const Model& model_;
+  const std::vector<int>& wholes_;
+  mesh::Mesh& refined_;
+  std::map<std::array<int, 2>, std::vector<int>> beside_;  ///< by side: the triangles of planes there
+};
 
 /// A part of an edge of the original mesh.
 struct EdgePart {
@@ -364,7 +474,8 @@ std::optional<world::Placed> refine_model(const world::Placed& placed, const pro
   add_vertices(model, crossings.splits, *refined);
   auto part = std::make_shared<PartFaces>(*placed.part);
   part->face_of_triangle.clear();
-  split_triangles(model, crossings, *refined, *part);
+  const std::vector<int> wholes = split_triangles(model, crossings, *refined, *part);
+  FlatTriangles(model, wholes, *refined).unfold();
   const std::vector<EdgePart> parts = make_edges(model, crossings.splits, *refined);
   world::Placed result = placed;
   // The faces of a cut model are those of the uncut part.

@@ -190,6 +190,49 @@ TEST(RefineWorld, SplitsCutFacets) {
   }
 }
 
+// A round boss on a square plate, whose triangles are as thin beside the foot of the boss as they get. Its new vertices
+// lie beyond some of them.
+TEST(RefineWorld, FoldsNoTrianglesOfPlanesAtHollowRims) {
+  constexpr int sides = 24;
+  Shape shape;
+  const std::array<Vec2, 4> plate{Vec2(60, -50), Vec2(50, 60), Vec2(-60, 50), Vec2(-50, -60)};
+  for (const double z : {0.0, 20.0})
+    for (int i = 0; i < sides; ++i)
+      shape.points.push_back({10 * std::cos(360.0 / sides * i * degree), 10 * std::sin(360.0 / sides * i * degree), z});
+  for (const Vec2& corner : plate) shape.points.push_back({corner.x, corner.y, 0});
+  const auto at = [&](int v) {
+    const auto& p = shape.points[static_cast<std::size_t>(v)];
+    return Vec2(p[0], p[1]);
+  };
+  for (int i = 1; i + 1 < sides; ++i) shape.faces.push_back({sides, sides + i, sides + i + 1});
+  int corner = 0;
+  for (int i = 0; i < sides; ++i) {
+    const int next = (i + 1) % sides;
+    shape.faces.push_back({i, next, sides + next});
+    shape.faces.push_back({i, sides + next, sides + i});
+    const auto is_beside = [&](int k) { return cross(at(next) - at(i), at(2 * sides + k % 4) - at(i)) < -1; };
+    for (; !is_beside(corner); ++corner)
+      shape.faces.push_back({i, 2 * sides + corner % 4, 2 * sides + (corner + 1) % 4});
+    shape.faces.push_back({next, i, 2 * sides + corner % 4});
+  }
+  for (; corner < 4; ++corner) shape.faces.push_back({0, 2 * sides + corner % 4, 2 * sides + (corner + 1) % 4});
+  const world::World world = recognised(world_of(shape));
+  int split = 0;
+  for (double turn = 0; turn < 180; turn += 1.25) {
+    const auto refined = refine_world(world, orthographic(tilted(60, turn)));
+    if (!refined) continue;
+    const world::Placed& placed = refined->models.front();
+    for (int t = 0; t < placed.mesh->triangle_count(); ++t) {
+      const std::array<int, 3> c = placed.mesh->triangle(t);
+      const Vec3 a = placed.mesh->point(c[0]), b = placed.mesh->point(c[1]), d = placed.mesh->point(c[2]);
+      if (a.z != 0 || b.z != 0 || d.z != 0) continue;
+      ++split;
+      EXPECT_GT(glm::cross(b - a, d - a).z, 0) << turn;
+    }
+  }
+  EXPECT_GT(split, 1000);
+}
+
 TEST(RefineWorld, KeepsTheNamesOfEdgesAndFaces) {
   const world::World world = frustum_world(10, 10, 20);
   const world::World refined = *refine_world(world, orthographic(tilted(60, 10)));
