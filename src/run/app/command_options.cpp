@@ -53,6 +53,12 @@ scene::Options<RequirementsOptions> requirements_options() {
           {.flag = "models", .help = "model files, as of 'epura draw'", .required = true, .repeatable = true},
           &Ledger::models, file_name("MODEL...")),
       plugin_path_option<Ledger>(&Ledger::plugin_path),
+      scene::option<Ledger>(
+          {.flag = "--drawing",
+           .help = "drawing JSON that 'epura draw' wrote of the models: adds the view, the sheet, the "
+                   "zone of its frame, or why the drawing lacks them",
+           .repeatable = true},
+          &Ledger::drawings, file_name("FILE")),
       scene::option<Ledger>({.flag = "--json", .help = "the same as JSON; - for standard output"}, &Ledger::json,
                             file_name("FILE")),
       scene::option<Ledger>({.flag = "--csv", .help = "the same as a table; - for standard output"}, &Ledger::csv,

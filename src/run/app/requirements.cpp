@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,12 +14,16 @@
 
 #include "app/commands.hpp"
 #include "base/csv.hpp"
+#include "base/error.hpp"
+#include "base/file.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
+#include "compare/read_pictures.hpp"
 #include "composition/requirement_words.hpp"
 #include "importer/read_model.hpp"
 #include "output/json_text.hpp"
 #include "pipeline/targets.hpp"
+#include "report/report.hpp"
 
 namespace epura {
 
@@ -30,7 +35,8 @@ using output::json_number;
 using output::json_string;
 
 struct LedgerRow : ModelRequirement {
-  int characteristic;  ///< its number in an inspection; 0: it is not measured
+  int characteristic;              ///< its number in an inspection; 0: it is not measured
+  report::RequirementRow shown{};  ///< where the drawing shows it, if there is one
 };
 
 /// The ledger of one model.
@@ -39,6 +45,28 @@ struct Ledger {
   std::string counts;  ///< in words
   std::vector<LedgerRow> requirements;
 };
+
+/// What drawings show, by the id and the words of the requirement; those of equal ones in their order.
+using ShownRequirements = std::multimap<std::pair<std::string, std::string>, report::RequirementRow>;
+
+ShownRequirements shown_in(const std::vector<std::string>& drawings) {
+  ShownRequirements shown;
+  for (const std::string& drawing : drawings)
+    for (report::RequirementRow& row : compare::requirements_of_json(read_file(drawing), drawing))
+      shown.emplace(std::pair{row.id, row.what}, std::move(row));
+  return shown;
+}
+
+void find_shown(Ledger& ledger, ShownRequirements& shown) {
+  for (LedgerRow& one : ledger.requirements) {
+    const std::string words = pipeline::requirement_sentence(one);
+    const auto row = shown.find({one.id, words});
+    if (row == shown.end())
+      throw Error(ErrorKind::input, ledger.model, "the drawing does not have requirement " + one.id + ", " + words,
+                  "give --drawing the JSON that 'epura draw' writes for this file, and draw again if that has changed");
+    one.shown = std::move(shown.extract(row).mapped());
+  }
+}
 
 Ledger ledger_of(const std::string& model, const RequirementsOptions& options) {
   const importer::ModelRequest request = importer::parse_model_request(model);
@@ -104,6 +132,10 @@ const std::vector<Field>& fields() {
       {"characteristic",
        [](One one) { return one.characteristic > 0 ? given(double(one.characteristic)) : FieldValue(); }},
       {"faces", [](One one) { return FieldValue(one.faces); }},
+      {"view", [](One one) { return given(one.shown.view); }},
+      {"sheet", [](One one) { return one.shown.sheet > 0 ? given(double(one.shown.sheet)) : FieldValue(); }},
+      {"sheet_zone", [](One one) { return given(one.shown.zone); }},
+      {"reason", [](One one) { return given(one.shown.why); }},
       {"missing", [](One one) { return given(one.missing); }}};
   return all;
 }
@@ -168,20 +200,32 @@ struct FormColumn {
 
 std::string left_blank(const Ledger&, const LedgerRow&) { return {}; }
 
+// On the sheet, where a drawing shows it; otherwise in the file.
+std::string reference_location(const Ledger& in, const LedgerRow& one) {
+  if (!one.shown.is_drawn()) return std::filesystem::path(in.model).filename().string() + " " + one.id;
+  return "sheet " + std::to_string(one.shown.sheet) + (one.shown.zone.empty() ? "" : ", zone " + one.shown.zone) +
+         ", view " + one.shown.view;
+}
+
+std::string comments(const Ledger&, const LedgerRow& one) {
+  const std::string unread = one.missing.empty() ? std::string() : "not read: " + one.missing;
+  const std::string undrawn =
+      one.shown.is_drawn() || one.shown.why.empty() ? std::string() : "not drawn: " + one.shown.why;
+  return unread + (unread.empty() || undrawn.empty() ? "" : "; ") + undrawn;
+}
+
 const std::vector<FormColumn>& form_columns() {
   using One = const LedgerRow&;
   using In = const Ledger&;
   static const std::vector<FormColumn> all{
       {"5. Char. No.", [](In, One one) { return std::to_string(one.characteristic); }},
-      {"6. Reference Location",
-       [](In in, One one) { return std::filesystem::path(in.model).filename().string() + " " + one.id; }},
+      {"6. Reference Location", reference_location},
       {"7. Characteristic Designator", left_blank},
       {"8. Requirement", [](In, One one) { return pipeline::requirement_sentence(one); }},
       {"9. Results", left_blank},
       {"10. Designed / Qualified Tooling", left_blank},
       {"11. Nonconformance Number", left_blank},
-      {"12. Additional Data / Comments",
-       [](In, One one) { return one.missing.empty() ? std::string() : "not read: " + one.missing; }}};
+      {"12. Additional Data / Comments", comments}};
   return all;
 }
 
@@ -224,7 +268,8 @@ std::string text_of(const Ledger& ledger) {
     id.resize(std::max<std::size_t>(8, id.size() + 1), ' ');
     text += "  " + id + one_line(pipeline::requirement_sentence(one));
     text += one.faces.empty() ? "; no face" : (one.faces.size() == 1 ? "; face " : "; faces ") + faces_text(one.faces);
-    if (!one.missing.empty()) text += "; not read: " + one_line(one.missing);
+    if (one.shown.is_drawn()) text += "; " + one_line(reference_location(ledger, one));
+    if (const std::string more = comments(ledger, one); !more.empty()) text += "; " + one_line(more);
     text += "\n";
   }
   return text + "  " + ledger.counts + "\n";
@@ -241,9 +286,15 @@ int requirements(const RequirementsOptions& options) {
   std::vector<std::string> files;
   for (const LedgerFormat& format : ledger_formats())
     if (const std::string& file = options.*format.file; !file.empty()) files.push_back(file);
-  if (!files.empty()) pipeline::refuse_overwriting(files, options.models);
+  std::vector<std::string> read = options.models;
+  read.insert(read.end(), options.drawings.begin(), options.drawings.end());
+  if (!files.empty()) pipeline::refuse_overwriting(files, read);
+  ShownRequirements shown = shown_in(options.drawings);
   std::vector<Ledger> ledgers;
-  for (const std::string& model : options.models) ledgers.push_back(ledger_of(model, options));
+  for (const std::string& model : options.models) {
+    ledgers.push_back(ledger_of(model, options));
+    if (!options.drawings.empty()) find_shown(ledgers.back(), shown);
+  }
   for (const LedgerFormat& format : ledger_formats())
     if (const std::string& file = options.*format.file; !file.empty())
       pipeline::write({file, format.text(ledgers)}, {});

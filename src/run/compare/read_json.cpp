@@ -39,7 +39,7 @@ struct Place {
 
   [[noreturn]] void refuse(const std::string& what) const {
     const std::string in = list == nullptr ? "" : list + ("[" + std::to_string(item) + "]: ");
-    throw Error(ErrorKind::input, file, in + key + " " + what, "only drawing JSON written by epura can be compared");
+    throw Error(ErrorKind::input, file, in + key + " " + what, "only drawing JSON written by epura can be read");
   }
   [[nodiscard]] bool has(const char* name) const { return value.IsObject() && value.HasMember(name); }
   [[nodiscard]] Place at(const char* name) const {
@@ -126,10 +126,7 @@ void add_view(PictureMaker& picture, const Place& view) {
   }
 }
 
-}  // namespace
-
-Picture picture_of_json(std::string_view bytes, const std::string& where) {
-  JsonDocument document;
+Place drawing_in(JsonDocument& document, std::string_view bytes, const std::string& where) {
   document.Parse<flags>(bytes.data(), bytes.size());
   if (document.HasParseError())
     throw Error(ErrorKind::input, where,
@@ -137,6 +134,42 @@ Picture picture_of_json(std::string_view bytes, const std::string& where) {
                     std::to_string(document.GetErrorOffset()) + ")");
   const Place root{document, where};
   if (number_in(root.at("epura").value) != 1.0) root.refuse("does not use schema 1");
+  return root;
+}
+
+std::string text_or_empty(const Place& place) { return place.value.IsNull() ? std::string() : place.text(); }
+
+report::RequirementRow requirement_in(const Place& row) {
+  report::RequirementRow requirement;
+  requirement.model = row.at("model").text();
+  requirement.id = row.at("id").text();
+  requirement.kind = row.at("kind").text();
+  requirement.what = row.at("what").text();
+  requirement.view = text_or_empty(row.at("view"));
+  requirement.sheet = static_cast<int>(std::clamp(number_in(row.at("sheet").value).value_or(0), 0.0, 1e6));
+  requirement.zone = text_or_empty(row.at("sheet_zone"));
+  requirement.characteristic =
+      static_cast<int>(std::clamp(number_in(row.at("characteristic").value).value_or(0), 0.0, 1e9));
+  requirement.why = text_or_empty(row.at("reason"));
+  requirement.wanted = row.at("wanted").boolean();
+  return requirement;
+}
+
+}  // namespace
+
+std::vector<report::RequirementRow> requirements_of_json(std::string_view bytes, const std::string& where) {
+  JsonDocument document;
+  const Place facts = drawing_in(document, bytes, where).at("report");
+  std::vector<report::RequirementRow> rows;
+  if (!facts.has("requirements")) return rows;
+  const Place list = facts.at("requirements");
+  for (unsigned i = 0; i < list.items(); ++i) rows.push_back(requirement_in(list.at(i)));
+  return rows;
+}
+
+Picture picture_of_json(std::string_view bytes, const std::string& where) {
+  JsonDocument document;
+  const Place root = drawing_in(document, bytes, where);
   PictureMaker picture(where);
   picture.set_size(root.at("sheet").at("size").point());
   for (const PictureLook& look : looks()) picture.look(look);

@@ -36,6 +36,9 @@ PictureFile pictures_of(const std::string& bytes, const std::filesystem::path& p
 /// edges between smooth faces as narrow.
 Picture picture_of_json(std::string_view bytes, const std::string& where);
 
+/// What models require, and where the drawing shows it, of drawing JSON, schema 1. Throws Error{input}.
+std::vector<report::RequirementRow> requirements_of_json(std::string_view bytes, const std::string& where);
+
 /// SVG with a user unit of one millimetre. Dashes are those of the line style: how they are fitted to a line does not
 /// matter.
 Picture picture_of_svg(std::string_view bytes, const std::string& where);

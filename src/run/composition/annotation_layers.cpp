@@ -296,6 +296,10 @@ sheet::Neighbours in_the_way(sheet::Neighbours around, const SheetInput& input, 
   return neighbours;
 }
 
+void add_place(AnnotationLayers& result, const std::string& requirement, const Vec2& place) {
+  if (!requirement.empty()) result.places.emplace_back(requirement, place);
+}
+
 // Dimensions without room, without anything to measure, and without time.
 std::vector<std::size_t> numbers_undrawn(const sheet::PlacedLayer& placed, std::size_t count) {
   std::vector<std::size_t> numbers = placed.unseen;
@@ -356,6 +360,7 @@ std::vector<sheet::Callout> add_dimensions(AnnotationLayers& result, sheet::Neig
   for (const std::size_t number : placed.unseen) result.unseen[of.view].push_back(wanted.numbers[number]);
   for (const std::size_t number : numbers_undrawn(placed, wanted.dimensions.size()))
     result.unplaced.push_back(wanted.dimensions[number].requirement);
+  for (const auto& [number, place] : placed.places) add_place(result, wanted.dimensions[number].requirement, place);
   const std::size_t undrawn = wanted.dimensions.size() - placed.count;
   if (undrawn > 0) {
     budget.partial.add_stage("placing dimensions");
@@ -394,6 +399,7 @@ void add_callouts(AnnotationLayers& result, sheet::Neighbours& around, const She
     add_centre_lines(neighbours.boxes, views[i]);
     sheet::CalloutLayers layers = sheet::callout_layers(drawing.name, style);
     const sheet::CalloutFaults faults = sheet::place_callouts(layers, callouts, drawing, style, neighbours);
+    for (const auto& [number, place] : faults.places) add_place(result, callouts[number].requirement, place);
     for (const std::size_t number : faults.without_place) {
       const std::string& name = callouts[number].name;
       result.unplaced.push_back(callouts[number].requirement);

@@ -20,8 +20,9 @@ struct AnnotationLayers {
   std::vector<std::vector<std::size_t>> left_out;  ///< by view: numbers of dimensions for which the sheet has no room
   std::vector<std::vector<std::size_t>> unseen;    ///< by view: of those that measure what the view does not show
   std::vector<std::string> unplaced{};             ///< requirements of dimensions and callouts that are not drawn
-  std::size_t without_room = 0;                    ///< notes, symbols, tables, rows of hole tables, likewise
-  std::size_t fans = 0;                            ///< as in sheet::PlacedLayer
+  std::vector<std::pair<std::string, Vec2>> places{};  ///< those of others, and where they are on the page
+  std::size_t without_room = 0;                        ///< notes, symbols, tables, rows of hole tables, likewise
+  std::size_t fans = 0;                                ///< as in sheet::PlacedLayer
   std::vector<std::string> warnings;
   std::vector<std::string> unseen_warnings;  ///< no other sheet helps
   std::vector<report::Finding> findings;

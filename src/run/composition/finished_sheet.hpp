@@ -27,9 +27,10 @@ struct FinishedSheet {
   std::string answers{};                             ///< to the questions about its edges
   std::optional<int> next_size{};                    ///< as in SheetPlan
   std::vector<std::string> unplaced{};               ///< requirements of dimensions and callouts that are not drawn
-  std::size_t without_room = 0;                      ///< notes, symbols, tables, rows of hole tables
-  std::size_t fans = 0;                              ///< as in sheet::PlacedLayer
-  bool is_crowded = false;                           ///< something has no place on it, or a worse one
+  std::vector<std::pair<std::string, std::string>> zones{};  ///< of others: the field of the frame in which they are
+  std::size_t without_room = 0;                              ///< notes, symbols, tables, rows of hole tables
+  std::size_t fans = 0;                                      ///< as in sheet::PlacedLayer
+  bool is_crowded = false;                                   ///< something has no place on it, or a worse one
 };
 
 /// How many dimensions, notes, symbols, tables and rows of hole tables a sheet has no room for; and how many of its

@@ -255,6 +255,15 @@ class Statement {
   std::vector<scene::DimensionDescription> dimensions_{};
 };
 
+// The rows that a dimension or callout draws, by its keys.
+template <class Visit>
+void for_each_row(std::vector<FileRequirements>& files, const std::string& keys, const Visit& visit) {
+  for (const std::string_view key : split(keys, ' '))
+    for (FileRequirements& file : files)
+      for (report::RequirementRow& row : file.rows)
+        if (row.is_drawn() && key_of(file, row.id) == key) visit(row);
+}
+
 }  // namespace
 
 Pmi wanted_requirements(const scene::SceneDescription& scene, const scene::ModelDescription& model) {
@@ -265,8 +274,10 @@ Pmi wanted_requirements(const scene::SceneDescription& scene, const scene::Model
 void begin_ledger(FileRequirements& file, const scene::SceneDescription& scene) {
   const scene::ModelDescription& model = scene.models[static_cast<std::size_t>(file.model)];
   const Pmi wanted = wanted_requirements(scene, model);
+  const std::vector<int> characteristics = characteristic_numbers(file.all);
   for (const ModelRequirement& one : file.all) {
     report::RequirementRow& row = file.rows.emplace_back();
+    row.characteristic = characteristics[file.rows.size() - 1];
     row.model = scene::name_of(model);
     row.id = one.id;
     row.kind = importer::requirement_kind_names[static_cast<std::size_t>(one.kind)];
@@ -320,14 +331,16 @@ void state_requirements(scene::SceneDescription& scene, std::vector<FileRequirem
 
 void take_back(std::vector<FileRequirements>& files, const std::vector<std::string>& keys) {
   for (const std::string& list : keys)
-    for (const std::string_view key : split(list, ' '))
-      for (FileRequirements& file : files)
-        for (report::RequirementRow& row : file.rows)
-          if (key_of(file, row.id) == key && row.is_drawn()) {
-            row.view.clear();
-            row.sheet = 0;
-            row.why = "there is no place for it in the view";
-          }
+    for_each_row(files, list, [](report::RequirementRow& row) {
+      row.view.clear();
+      row.sheet = 0;
+      row.why = "there is no place for it in the view";
+    });
+}
+
+void set_zones(std::vector<FileRequirements>& files, const std::vector<std::pair<std::string, std::string>>& zones) {
+  for (const auto& [list, zone] : zones)
+    for_each_row(files, list, [&zone = zone](report::RequirementRow& row) { row.zone = zone; });
 }
 
 std::vector<report::RequirementRow> end_ledger(const std::vector<FileRequirements>& files, const Messages& messages,

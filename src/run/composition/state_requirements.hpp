@@ -50,6 +50,9 @@ void state_requirements(scene::SceneDescription& scene, std::vector<FileRequirem
 /// Says of what dimensions and callouts of the scene draw, by their `requirement`, that the sheet has no room for it.
 void take_back(std::vector<FileRequirements>& files, const std::vector<std::string>& keys);
 
+/// Where on the sheet others are: the fields of its frame by their `requirement`.
+void set_zones(std::vector<FileRequirements>& files, const std::vector<std::pair<std::string, std::string>>& zones);
+
 /// All rows. Tells what is missing; if that is allowed, it is not wanted.
 std::vector<report::RequirementRow> end_ledger(const std::vector<FileRequirements>& files, const Messages& messages,
                                                bool allow_missing);

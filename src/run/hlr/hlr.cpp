@@ -30,6 +30,7 @@
 #include "importer/sink.hpp"
 #include "projection/answer.hpp"
 #include "projection/matrices.hpp"
+#include "refine/refine_world.hpp"
 #include "visibility/clear_contours.hpp"
 #include "visibility/folds.hpp"
 #include "visibility/visibility.hpp"
@@ -234,7 +235,7 @@ std::unique_ptr<epura_hlr_drawing> draw(const epura_hlr_model& model, const epur
   expect_size(request, "request");
   expect_numbers(request);
   expect(model.finished.has_value(), "model", "is not finished", "call epura_hlr_finish first");
-  const world::World& world = model.finished->world;
+  const world::World& given = model.finished->world;
   const ThreadLimit limit(threads_of(request.threads));
   std::stop_source stop;
   ProgressBoard board;
@@ -243,7 +244,10 @@ std::unique_ptr<epura_hlr_drawing> draw(const epura_hlr_model& model, const epur
   };
   board.observe({tell, stop.get_token()});
   const Progress progress(board);
-  view::ProjectedScene seen = view::project_scene(world, projection_of(request, world.box), {});
+  const projection::Projection projection = projection_of(request, given.box);
+  const std::optional<world::World> refined = refine::refine_world(given, projection);
+  const world::World& world = refined ? *refined : given;
+  view::ProjectedScene seen = view::project_scene(world, projection, {});
   // A single point has no extent.
   const double side = seen.extent / seen.map.normalisation * seen.projection.scale;
   const double scale = request.scale > 0 ? request.scale : side > 0 ? usual_side_mm / side : 1;

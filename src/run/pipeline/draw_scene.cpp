@@ -520,6 +520,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
     find_details(sheet, scene);
     finished.push_back(draw_best_sheet(worlds, std::move(sheet)));
     take_back(required, finished.back().unplaced);
+    set_zones(required, finished.back().zones);
   }
   warn_of_unmatched(messages, scene, gathered.sizes);
   gathered.report.requirements = end_ledger(required, messages, options.allow_missing);

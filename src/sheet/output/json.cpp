@@ -360,8 +360,10 @@ std::string requirement_of(const report::RequirementRow& row) {
   return "{\"model\": " + json_string(row.model) + ", \"id\": " + json_string(row.id) +
          ", \"kind\": " + json_string(row.kind) + ", \"what\": " + json_string(row.what) +
          ", \"wanted\": " + (row.wanted ? "true" : "false") + ", \"view\": " + or_null(row.view) +
-         ", \"sheet\": " + (row.sheet > 0 ? std::to_string(row.sheet) : "null") + ", \"reason\": " + or_null(row.why) +
-         "}";
+         ", \"sheet\": " + (row.sheet > 0 ? std::to_string(row.sheet) : "null") +
+         ", \"sheet_zone\": " + or_null(row.zone) +
+         ", \"characteristic\": " + (row.characteristic > 0 ? std::to_string(row.characteristic) : "null") +
+         ", \"reason\": " + or_null(row.why) + "}";
 }
 
 std::string report_of(const report::Report& report) {

@@ -87,14 +87,16 @@ struct SizeCount {
 
 /// What a model file requires, and where the sheets say so.
 struct RequirementRow {
-  std::string model;   ///< its name in dimensions
-  std::string id;      ///< in the file
-  std::string kind;    ///< "dimension", "tolerance" or "datum"
-  std::string what;    ///< in words
-  std::string view{};  ///< that shows it; empty: none does
-  int sheet = 0;       ///< from 1; 0: none
-  std::string why{};   ///< it is not drawn, or not all of it
-  bool wanted = true;  ///< the sheets are to show it
+  std::string model;       ///< its name in dimensions
+  std::string id;          ///< in the file
+  std::string kind;        ///< "dimension", "tolerance" or "datum"
+  std::string what;        ///< in words
+  std::string view{};      ///< that shows it; empty: none does
+  int sheet = 0;           ///< from 1; 0: none
+  std::string zone{};      ///< field of its frame, as "B4"; empty: none
+  int characteristic = 0;  ///< its number in an inspection; 0: it is not measured
+  std::string why{};       ///< it is not drawn, or not all of it
+  bool wanted = true;      ///< the sheets are to show it
 
   [[nodiscard]] bool is_drawn() const { return !view.empty(); }
   /// Whether the drawing lacks it.

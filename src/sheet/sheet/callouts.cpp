@@ -434,14 +434,14 @@ CalloutFaults place_callouts(CalloutLayers& layers, std::span<const Callout> cal
   const double landing = style.text;
   CalloutPlacer placer(view, neighbours);
   CalloutFaults faults;
-  std::size_t placed = 0;
+  const auto number_of = [&](const Callout& callout) { return static_cast<std::size_t>(&callout - callouts.data()); };
   for (const Callout& callout : callouts) {
     if (!callout.at) continue;
-    ++placed;
     const Spot spot = placer.fixed(callout, landing);
     if (!placer.is_free(spot.box)) faults.crossings.push_back(callout.name);
     placer.add(spot);
     draw_callout(layers, callout, spot, style);
+    faults.places.emplace_back(number_of(callout), spot.box.centre());
   }
   // Those with the least choice first.
   for (const LeaderForm form : {LeaderForm::datum, LeaderForm::landing, LeaderForm::reference})
@@ -450,12 +450,12 @@ CalloutFaults place_callouts(CalloutLayers& layers, std::span<const Callout> cal
       if (const auto spot = placer.best(callout, landing)) {
         placer.add(*spot);
         draw_callout(layers, callout, *spot, style);
-        ++placed;
+        faults.places.emplace_back(number_of(callout), spot->box.centre());
       } else {
-        faults.without_place.push_back(static_cast<std::size_t>(&callout - callouts.data()));
+        faults.without_place.push_back(number_of(callout));
       }
     }
-  check(placed + faults.without_place.size() == callouts.size(), "every callout is placed or reported");
+  check(faults.places.size() + faults.without_place.size() == callouts.size(), "every callout is placed or reported");
   return faults;
 }
 

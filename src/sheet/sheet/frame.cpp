@@ -44,6 +44,20 @@ std::string letters(int number) {
   return text;
 }
 
+// Of a field along one side, counted from the left or from below: numbers increase to the right, letters downwards.
+std::string name_of_field(std::size_t field, std::size_t fields, int axis) {
+  return axis == 0 ? std::to_string(field + 1) : letters(static_cast<int>(fields - 1 - field));
+}
+
+// The same on sheets of ASME Y14.1, where both count from the lower right corner.
+std::string name_of_ansi_field(int field, int fields, int axis) {
+  return axis == 0 ? std::to_string(fields - field) : letters(field);
+}
+
+int ansi_fields(const Paper& paper, const AnsiSheet& sheet, int axis) {
+  return (axis == 0) == (paper.height > paper.width) ? sheet.short_zones : sheet.long_zones;
+}
+
 // One strip of fields along the frame, between `inner` (on the frame) and `outer`. Axis 0 is horizontal.
 void add_strip(Furniture& all, const std::vector<double>& ends, double inner, double outer, int axis) {
   const auto point = [axis](double along, double across) {
@@ -53,8 +67,7 @@ void add_strip(Furniture& all, const std::vector<double>& ends, double inner, do
   const std::size_t fields = ends.size() - 1;
   for (std::size_t i = 0; i < fields; ++i) {
     if (i > 0) all.medium.push_back(line(point(ends[i], inner), point(ends[i], outer)));
-    // Numbers increase to the right, letters downwards.
-    const std::string text = axis == 0 ? std::to_string(i + 1) : letters(static_cast<int>(fields - 1 - i));
+    const std::string text = name_of_field(i, fields, axis);
     const Vec2 centre = point((ends[i] + ends[i + 1]) / 2, middle);
     all.texts.push_back({text, centre - Vec2(0, letter_height / 2), letter_height, 0, Align::middle, "grid-reference"});
   }
@@ -104,9 +117,8 @@ void add_ansi_zones(Furniture& all, const Paper& paper, const AnsiSheet& sheet) 
   constexpr double usual_height = 0.24 * 25.4, part_of_margin = 0.55;
   const Rectangle in = drawing_area(paper), out{{0, 0}, {paper.width, paper.height}};
   check(out.holds(in), "the frame is on the paper");
-  const bool portrait = paper.height > paper.width;
   for (const int axis : {0, 1}) {
-    const int other = 1 - axis, fields = (axis == 0) == portrait ? sheet.short_zones : sheet.long_zones;
+    const int other = 1 - axis, fields = ansi_fields(paper, sheet, axis);
     const double length = axis == 0 ? paper.width : paper.height;
     const auto point = [axis](double along, double across) {
       return axis == 0 ? Vec2(along, across) : Vec2(across, along);
@@ -115,7 +127,7 @@ void add_ansi_zones(Furniture& all, const Paper& paper, const AnsiSheet& sheet) 
       const double height = std::min(usual_height, part_of_margin * std::abs(outer - inner));
       for (int i = 0; i < fields; ++i) {
         if (i > 0) all.medium.push_back(line(point(length * i / fields, inner), point(length * i / fields, outer)));
-        const std::string text = axis == 0 ? std::to_string(fields - i) : letters(i);
+        const std::string text = name_of_ansi_field(i, fields, axis);
         const Vec2 centre = point(length * (i + 0.5) / fields, (inner + outer) / 2);
         all.texts.push_back({text, centre - Vec2(0, height / 2), height, 0, Align::middle, "grid-reference"});
       }
@@ -148,6 +160,28 @@ Furniture frame(const Paper& paper, FrameKind kind, const std::optional<Rectangl
   const Vec2 place = Vec2(area.max.x, area.min.y - grid_strip) + Vec2(-inset, inset);
   if (name.starts_with('A')) all.texts.push_back({name, place, letter_height, 0, Align::right, "grid-reference"});
   return all;
+}
+
+std::string zone_at(const Paper& paper, FrameKind kind, const Vec2& point) {
+  const AnsiSheet* ansi = ansi_sheet(paper);
+  if (kind != FrameKind::full || (ansi == nullptr && !has_iso_margins(paper))) return "";
+  const Rectangle area = drawing_area(paper);
+  std::string letter_and_number;
+  for (const int axis : {1, 0}) {
+    const double length = axis == 0 ? paper.width : paper.height;
+    if (ansi != nullptr) {
+      const int fields = ansi_fields(paper, *ansi, axis);
+      if (fields == 0) return "";
+      const int field = std::clamp(static_cast<int>(std::floor(point[axis] / length * fields)), 0, fields - 1);
+      letter_and_number += name_of_ansi_field(field, fields, axis);
+      continue;
+    }
+    const std::vector<double> ends = field_ends(length, area.min[axis], area.max[axis]);
+    const auto after = std::upper_bound(ends.begin() + 1, ends.end() - 1, point[axis]);
+    letter_and_number += name_of_field(static_cast<std::size_t>(after - ends.begin()) - 1, ends.size() - 1, axis);
+  }
+  check(!letter_and_number.empty(), "a field has a name");
+  return letter_and_number;
 }
 
 }  // namespace epura::sheet

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "scene/choices.hpp"
 #include "sheet/furniture.hpp"
@@ -23,5 +24,9 @@ Paper with_frame_margins(const Paper& paper);
 /// block. The zones of ASME Y14.1 divide the sheet into equal fields, numbered from its lower right corner; size A has
 /// none.
 Furniture frame(const Paper& paper, FrameKind kind, const std::optional<Rectangle>& title_block);
+
+/// The field of a frame in which a point of the paper lies, as "B4" (of ASME Y14.1 likewise); of a point beyond the
+/// frame, the nearest field. Empty where the frame has none.
+std::string zone_at(const Paper& paper, FrameKind kind, const Vec2& point);
 
 }  // namespace epura::sheet

@@ -88,6 +88,33 @@ TEST_F(Pmi, ADimensionHasTheDigitsAndDeviationsOfItsFile) {
   EXPECT_EQ(row("#1004")["reason"].type, 'n');
 }
 
+// Sheets with a frame have fields, those without have none.
+TEST_F(Pmi, TheLedgerSaysInWhichFieldOfTheFrameTheyAre) {
+  const std::string flatness = step_length(1020, "0.05", "") + "#1021=FLATNESS_TOLERANCE('','',#1020,#1002);\n";
+  const Outcome drawn = draw_box(height + flatness);
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  for (const char* id : {"#1004", "#1021"}) {
+    EXPECT_EQ(row(id)["sheet_zone"].text.size(), 2U) << row(id)["sheet_zone"].text;
+    EXPECT_EQ(row(id)["characteristic"].text, std::string(id) == "#1004" ? "1" : "2");
+  }
+  const std::string zone = row("#1004")["sheet_zone"].text;
+  const std::vector<std::string> list{"requirements", "part.step", "--drawing", "a.json", "--as9102", "form.csv",
+                                      "--json",       "l.json"};
+  EXPECT_EQ(epura(list, folder_ / "").code, 0);
+  EXPECT_TRUE(contains(read_file(folder_ / "form.csv"),
+                       "1,\"sheet 1, zone " + zone + ", view front\",,linear distance 20.00 -0.1/+0.3 mm,,,,\r\n"))
+      << read_file(folder_ / "form.csv");
+  const Json listed = JsonReader(read_file(folder_ / "l.json")).read()["models"].items.at(0)["requirements"];
+  EXPECT_EQ(listed.items.at(0)["sheet_zone"].text, zone);
+  EXPECT_EQ(draw_box(height, {"--pmi", "all", "--frame", "none"}).code, 0);
+  EXPECT_EQ(row("#1004")["sheet_zone"].type, 'n');
+  folder_.file("part.step", step_box({40, 30, 20}, height + flatness));
+  const Outcome other = epura(list, folder_ / "");
+  EXPECT_EQ(other.code, 2) << other.err;
+  EXPECT_TRUE(contains(other.err, "the drawing does not have requirement #1021, flatness 0.05 mm")) << other.err;
+}
+
 TEST_F(Pmi, AnAutomaticDimensionOfTheSameIsOneWithIt) {
   const Outcome drawn = draw_box(height, {"--dimensions", "auto"});
   EXPECT_IMPORTER();

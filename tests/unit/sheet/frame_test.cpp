@@ -39,6 +39,28 @@ const std::vector<Size> sizes = {{"A0", 1159, 821, 24, "R"},
                                  {"A3", 390, 277, 8, "F"},
                                  {"A4", 267, 190, 6, "D"}};
 
+// A point below a number and beside a letter is in the field of both.
+TEST(Frame, AZoneIsWhatTheFrameSaysOnBothSides) {
+  for (const std::string name : {"A0", "A2", "A3", "A4", "ANSI-B", "ANSI-D"})
+    for (const bool portrait : {false, true}) {
+      const sheet::Paper sheet = paper(name, portrait);
+      const sheet::Rectangle area = sheet::drawing_area(sheet);
+      for (const sheet::Text& number : full(sheet).texts)
+        for (const sheet::Text& letter : full(sheet).texts) {
+          const bool is_above = number.at.y > area.max.y, is_right = letter.at.x > area.max.x;
+          if (!is_above || !is_right) continue;
+          const Vec2 point(number.at.x, letter.at.y + letter.height / 2);
+          EXPECT_EQ(sheet::zone_at(sheet, FrameKind::full, point), letter.text + number.text) << name;
+        }
+      EXPECT_EQ(sheet::zone_at(sheet, FrameKind::plain, Vec2(50, 50)), "");
+    }
+  const sheet::Paper a3 = paper("A3");
+  EXPECT_EQ(sheet::zone_at(a3, FrameKind::full, Vec2(25, 280)), "A1");
+  EXPECT_EQ(sheet::zone_at(a3, FrameKind::full, Vec2(205, 140)), "D4");
+  EXPECT_EQ(sheet::zone_at(a3, FrameKind::full, Vec2(1000, -50)), "F8");
+  EXPECT_EQ(sheet::zone_at({420, 297, 5, 5}, FrameKind::full, Vec2(200, 100)), "");
+}
+
 TEST(Frame, DrawingAreasAndFieldsOfIso5457) {
   for (const Size& size : sizes) {
     const sheet::Furniture all = full(paper(size.name));
