@@ -1,22 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "item_faces.hpp"
 
+#include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepBndLib.hxx>
 #include <BRepBuilderAPI_MakeVertex.hxx>
 #include <BRepExtrema_DistShapeShape.hxx>
 #include <BRep_Tool.hxx>
+#include <Bnd_BoundSortBox.hxx>
 #include <Bnd_Box.hxx>
+#include <Bnd_HArray1OfBox.hxx>
 #include <Precision.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepGeom_Axis2Placement3d.hxx>
 #include <StepGeom_CartesianPoint.hxx>
+#include <StepGeom_Curve.hxx>
 #include <StepShape_Edge.hxx>
 #include <StepShape_EdgeLoop.hxx>
 #include <StepShape_FaceBound.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <StepShape_OrientedEdge.hxx>
+#include <TColStd_ListIteratorOfListOfInteger.hxx>
 #include <TopoDS.hxx>
+#include <TopoDS_Edge.hxx>
 #include <TransferBRep.hxx>
 #include <Transfer_TransientProcess.hxx>
 #include <XSControl_TransferReader.hxx>
@@ -43,6 +49,7 @@ struct Items {
   std::map<Number, TopoDS_Shape> faces;
   std::map<Number, std::set<Number>> beside;  ///< of an edge: the faces that it bounds
   std::map<Number, gp_Pnt> places;            ///< in the unit of the file
+  std::map<Number, TopoDS_Edge> lines;        ///< beside solids
 };
 
 void add_edges(const StepShape_FaceSurface& face, Number number, const StepData_StepModel& model, Items& items) {
@@ -76,6 +83,10 @@ Items items_of(const STEPControl_Reader& reader, const std::set<Number>& wanted)
       add_edges(*face, number, *model, items);
     } else if (wanted.count(number) != 0) {
       if (const auto place = place_of(entity)) items.places.emplace(number, *place);
+      if (const auto curve = Handle(StepGeom_Curve)::DownCast(entity); !curve.IsNull())
+        if (const TopoDS_Shape line = TransferBRep::ShapeResult(process, curve);
+            !line.IsNull() && line.ShapeType() == TopAbs_EDGE)
+          items.lines.emplace(number, TopoDS::Edge(line));
     }
   }
   return items;
@@ -114,7 +125,10 @@ class FaceFinder {
       else if (const auto edge = items_.beside.find(item); edge != items_.beside.end() && means_axis(requirement))
         add_cylinder(edge->second, requirement);
       else if (const auto place = items_.places.find(item); place != items_.places.end())
-        add_below(place->second, requirement);
+        add_below_place(place->second, requirement);
+      else if (const auto line = items_.lines.find(item);
+               line != items_.lines.end() && requirement.kind == EPURA_TOLERANCE)
+        add_below_line(line->second, requirement);
       lost += requirement.faces.size() == before ? 1 : 0;
     }
     return lost;
@@ -158,24 +172,52 @@ class FaceFinder {
     if (cylinders.size() == 1) requirement.faces.push_back(cylinders.front());
   }
 
-  void add_below(const gp_Pnt& place, Requirement& requirement) {
-    if (std::isnan(requirement.length_unit)) return;
-    if (boxes_.empty())
-      for (const auto& [number, face] : items_.faces) BRepBndLib::Add(face, boxes_[number]);
-    const gp_Pnt point(place.XYZ() * requirement.length_unit);
-    const TopoDS_Shape vertex = BRepBuilderAPI_MakeVertex(point);
+  void add_below_place(const gp_Pnt& place, Requirement& requirement) {
+    if (!std::isnan(requirement.length_unit)) add_below({gp_Pnt(place.XYZ() * requirement.length_unit)}, requirement);
+  }
+
+  // A line on a face is one of its elements: three points of it are on the face.
+  void add_below_line(const TopoDS_Edge& line, Requirement& requirement) {
+    const BRepAdaptor_Curve curve(line);
+    const double from = curve.FirstParameter(), to = curve.LastParameter();
+    if (Precision::IsInfinite(from) || Precision::IsInfinite(to)) return;
+    add_below({curve.Value(from), curve.Value((from + to) / 2), curve.Value(to)}, requirement);
+  }
+
+  // The only face on which all the points are, in millimetres.
+  void add_below(const std::vector<gp_Pnt>& points, Requirement& requirement) {
+    if (items_.faces.empty()) return;
+    if (boxed_.empty()) find_boxes();
+    Bnd_Box around;
+    for (const gp_Pnt& point : points) around.Add(point);
     std::vector<TopoDS_Shape> below;
-    for (const auto& [number, box] : boxes_) {
-      if (box.IsOut(point)) continue;
-      const TopoDS_Shape& face = items_.faces.at(number);
-      const BRepExtrema_DistShapeShape distance(vertex, face);
-      if (distance.IsDone() && distance.Value() <= BRep_Tool::MaxTolerance(face, TopAbs_FACE)) below.push_back(face);
+    for (TColStd_ListIteratorOfListOfInteger at(boxes_.Compare(around)); at.More(); at.Next()) {
+      const TopoDS_Shape& face = boxed_[static_cast<std::size_t>(at.Value() - 1)];
+      if (std::all_of(points.begin(), points.end(), [&face](const gp_Pnt& point) { return is_on(point, face); }))
+        below.push_back(face);
     }
     if (below.size() == 1) requirement.faces.push_back(below.front());
   }
 
+  static bool is_on(const gp_Pnt& point, const TopoDS_Shape& face) {
+    const BRepExtrema_DistShapeShape distance(BRepBuilderAPI_MakeVertex(point), face);
+    return distance.IsDone() && distance.Value() <= BRep_Tool::MaxTolerance(face, TopAbs_FACE);
+  }
+
+  void find_boxes() {
+    std::vector<Bnd_Box> boxes;
+    for (const auto& [number, face] : items_.faces) {
+      BRepBndLib::Add(face, boxes.emplace_back());
+      boxed_.push_back(face);
+    }
+    const Handle(Bnd_HArray1OfBox) all = new Bnd_HArray1OfBox(1, static_cast<int>(boxes.size()));
+    for (std::size_t i = 0; i < boxes.size(); ++i) all->SetValue(static_cast<int>(i) + 1, boxes[i]);
+    boxes_.Initialize(all);
+  }
+
   const Items items_;
-  std::map<Number, Bnd_Box> boxes_{};  ///< of faces; empty until a place is looked for
+  std::vector<TopoDS_Shape> boxed_{};  ///< faces, in the order of their boxes; empty until a place is looked for
+  Bnd_BoundSortBox boxes_{};
 };
 
 }  // namespace
