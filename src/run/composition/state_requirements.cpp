@@ -3,6 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
+#include <set>
+#include <string_view>
+#include <tuple>
 #include <utility>
 
 #include "base/error.hpp"
@@ -24,6 +29,7 @@ namespace {
 using importer::ModelRequirement;
 using importer::RequirementKind;
 
+constexpr const char* no_value = "a value";  // ModelRequirement::missing of dimensions without one
 constexpr const char* of_size = "it means the middle of its faces, whose dimension is not drawn";
 
 bool shows_an_axis(const projection::Projection& seen) {
@@ -48,12 +54,19 @@ std::vector<FaceView> views_for_requirements(const SheetToState& sheet) {
 }
 
 // By which dimensions and callouts know what they draw.
-std::string key_of(const FileRequirements& file, const std::string& id) {
-  return std::to_string(file.model) + ":" + id;
+std::string key_of(const FileRequirements& file, std::size_t i) {
+  return std::to_string(file.model) + ":" + std::to_string(i);
 }
 
 bool gives_value(const ModelRequirement& one) {
   return std::isfinite(one.value) || one.bounds == importer::RequirementBounds::limits;
+}
+
+// Why it cannot be drawn wherever it stands. A value that the file lacks is that of the model.
+std::optional<std::string> why_unknown(const ModelRequirement& one) {
+  if (!one.missing.empty() && (one.missing != no_value || one.faces.empty())) return "not read: " + one.missing;
+  if (one.faces.empty()) return "it belongs to no face of the model";
+  return std::nullopt;
 }
 
 bool is_target(const ModelRequirement& one) { return one.type == "datum target"; }
@@ -68,7 +81,15 @@ bool is_wanted(RequirementKind kind, Pmi wanted) {
 class Statement {
  public:
   Statement(scene::SceneDescription& scene, FileRequirements& file, const RequirementSubject& subject, int sheet)
-      : scene_(scene), file_(file), subject_(subject), sheet_(sheet), places_(subject) {}
+      : scene_(scene), file_(file), subject_(subject), sheet_(sheet), places_(subject) {
+    for (std::size_t i = 0; i < file.all.size(); ++i) {
+      const ModelRequirement& one = file.all[i];
+      if (one.kind == RequirementKind::dimension && gives_value(one)) valued_[{one.type, one.faces}].push_back(i);
+      if (is_target(one)) targets_[one.datums.substr(0, one.datums.find_first_of("0123456789"))].push_back(i);
+    }
+    for (const scene::CalloutDescription& callout : scene.callouts)
+      if (const auto* datum = std::get_if<scene::DatumFeature>(&callout.content)) letters_.insert(datum->letter);
+  }
 
   void add_all() {
     for (const bool has_value : {true, false})
@@ -86,7 +107,7 @@ class Statement {
   }
 
  private:
-  [[nodiscard]] bool is_open(std::size_t i) const { return file_.rows[i].is_missing(); }
+  [[nodiscard]] bool is_open(std::size_t i) const { return file_.rows[i].is_missing() && !why_unknown(file_.all[i]); }
   [[nodiscard]] std::string where(std::size_t i) const {
     return "requirement " + file_.all[i].id + " of " + file_.rows[i].model;
   }
@@ -100,15 +121,16 @@ class Statement {
   // A dimension without a value says nothing more than another of the same faces.
   [[nodiscard]] bool is_said(std::size_t i) {
     const ModelRequirement& one = file_.all[i];
-    for (std::size_t k = 0; k < file_.all.size() && !gives_value(one); ++k) {
-      const ModelRequirement& other = file_.all[k];
-      if (!gives_value(other) || other.type != one.type || other.faces != one.faces || !file_.rows[k].is_drawn())
-        continue;
-      set_drawn(i, file_.rows[k].view);
-      file_.rows[i].why = "the file gives no value: it is that of " + other.id;
-      return true;
-    }
-    return false;
+    if (gives_value(one)) return false;
+    const std::vector<std::size_t>& others = valued_[{one.type, one.faces}];
+    const auto other =
+        std::find_if(others.begin(), others.end(), [this](std::size_t k) { return file_.rows[k].is_drawn(); });
+    if (other == others.end()) return false;
+    set_drawn(i, file_.rows[*other].view);
+    if (const auto drawn = drawn_by_.find(*other); drawn != drawn_by_.end())
+      dimensions_[drawn->second].requirement += " " + key_of(file_, i);
+    file_.rows[i].why = "the file gives no value: it is that of " + file_.all[*other].id;
+    return true;
   }
 
   void add_dimension(std::size_t i) {
@@ -117,36 +139,44 @@ class Statement {
     file_.rows[i].why = stated.why;
     if (!stated.why.empty()) return;
     set_drawn(i, *stated.dimension.view);
-    stated.dimension.requirement = key_of(file_, file_.all[i].id);
+    stated.dimension.requirement = key_of(file_, i);
     const ModelRequirement& one = file_.all[i];
     if (!gives_value(one)) file_.rows[i].why = "the file gives no value: it has that of the model";
     if (stated.is_straight) places_.add_dimension(one.faces, stated.dimension);
+    drawn_by_[i] = dimensions_.size();
     dimensions_.push_back(std::move(stated.dimension));
   }
 
   // Those of equal circles in one view become one, "2× ⌀8"; ids of all are those of the first.
   void unite_equal() {
-    const auto are_equal = [](const scene::DimensionDescription& a, const scene::DimensionDescription& b) {
-      if (!a.circle || !b.circle || *a.type != *b.type || *a.view != *b.view) return false;
-      const bool same_value =
-          a.stated.has_value() == b.stated.has_value() &&
-          (!a.stated || (a.stated->value == b.stated->value && a.stated->decimals == b.stated->decimals));
-      return same_value && a.text.value == b.text.value && a.tolerance.value == b.tolerance.value &&
-             a.limits.value == b.limits.value && features::are_parallel(a.circle->axis, b.circle->axis) &&
-             features::are_same(a.circle->radius, b.circle->radius);
+    const auto said_by = [](const scene::DimensionDescription& one) {
+      const scene::StatedValue stated = one.stated.value_or(scene::StatedValue{NAN, -1});
+      return std::tuple(*one.view, one.type.value, one.text.value, one.tolerance.value, one.limits.value,
+                        one.stated ? format_number(stated.value) : std::string(), stated.decimals);
     };
     std::vector<scene::DimensionDescription> united;
     std::vector<std::size_t> counts;
+    std::map<decltype(said_by(united.front())), std::vector<std::size_t>> alike;
     for (scene::DimensionDescription& one : dimensions_) {
-      const auto same =
-          std::find_if(united.begin(), united.end(), [&](const auto& other) { return are_equal(other, one); });
-      if (same == united.end()) {
+      if (!one.circle) {
         united.push_back(std::move(one));
         counts.push_back(1);
         continue;
       }
-      ++counts[static_cast<std::size_t>(same - united.begin())];
-      same->requirement += " " + one.requirement;
+      std::vector<std::size_t>& others = alike[said_by(one)];
+      const auto same = std::find_if(others.begin(), others.end(), [&](std::size_t i) {
+        const scene::FeatureCircle& circle = *united[i].circle;
+        return features::are_parallel(circle.axis, one.circle->axis) &&
+               features::are_same(circle.radius, one.circle->radius);
+      });
+      if (same == others.end()) {
+        others.push_back(united.size());
+        united.push_back(std::move(one));
+        counts.push_back(1);
+        continue;
+      }
+      ++counts[*same];
+      united[*same].requirement += " " + one.requirement;
     }
     for (std::size_t i = 0; i < united.size(); ++i)
       if (counts[i] > 1) {
@@ -160,12 +190,11 @@ class Statement {
 
   // The targets of a datum have its letter, and numbers behind it.
   [[nodiscard]] std::vector<std::size_t> targets_of(const std::string& letter) const {
+    const auto found = targets_.find(letter);
     std::vector<std::size_t> targets;
-    for (std::size_t i = 0; i < file_.all.size(); ++i) {
-      const std::string& name = file_.all[i].datums;
-      if (is_target(file_.all[i]) && is_open(i) && name.substr(0, name.find_first_of("0123456789")) == letter)
-        targets.push_back(i);
-    }
+    if (found != targets_.end())
+      std::copy_if(found->second.begin(), found->second.end(), std::back_inserter(targets),
+                   [this](std::size_t i) { return file_.rows[i].is_missing(); });
     return targets;
   }
 
@@ -176,17 +205,13 @@ class Statement {
     const std::vector<std::size_t> targets = targets_of(one.datums);
     for (const std::size_t target : targets) file_.rows[target].why = "its datum " + one.datums + " is not drawn";
     if (one.faces.empty()) return;
-    const auto has_letter = [&](const scene::CalloutDescription& callout) {
-      const auto* datum = std::get_if<scene::DatumFeature>(&callout.content);
-      return datum != nullptr && datum->letter == one.datums;
-    };
-    if (std::any_of(scene_.callouts.begin(), scene_.callouts.end(), has_letter)) {
+    if (letters_.count(one.datums) != 0) {
       why = "the sheets have a datum " + one.datums + " already";
       return;
     }
     scene::CalloutDescription callout;
     callout.where = where(i);
-    callout.requirement = key_of(file_, one.id);
+    callout.requirement = key_of(file_, i);
     callout.content = scene::DatumFeature{one.datums};
     const bool is_placed = places_.place(callout, one.faces, SymbolPlaces::Ends::line);
     if (is_placed && !callout.dimension.given() && face_places(one.faces, subject_.part).size() > 1) {
@@ -198,8 +223,9 @@ class Statement {
       return;
     }
     set_drawn(i, *callout.view);
+    letters_.insert(one.datums);
     for (const std::size_t target : targets) {
-      callout.requirement += " " + key_of(file_, file_.all[target].id);
+      callout.requirement += " " + key_of(file_, target);
       set_drawn(target, *callout.view);
       file_.rows[target].why = "as the letter of its datum: its place and size are not drawn";
     }
@@ -220,7 +246,10 @@ class Statement {
     const std::vector<int>& faces = file_.all[stack.front()].faces;
     auto& frame = std::get<scene::ToleranceFrame>(callout.content);
     using Ends = SymbolPlaces::Ends;
-    if (!places_.place(callout, faces, frame.all_around ? Ends::lines_of_all : Ends::anything)) return not_seen;
+    const bool is_straightness =
+        std::any_of(stack.begin(), stack.end(), [this](std::size_t i) { return file_.all[i].type == "straightness"; });
+    const Ends ends = frame.all_around ? Ends::lines_of_all : is_straightness ? Ends::element : Ends::anything;
+    if (!places_.place(callout, faces, ends)) return not_seen;
     const std::size_t count = face_places(faces, subject_.part).size();
     if (callout.dimension.given() || count == 1) return "";
     if (is_of_size(stack)) return of_size;
@@ -238,7 +267,7 @@ class Statement {
     if (stack.empty() || file_.all[stack.front()].faces.empty()) return;
     const std::string why = place_frame(callout, stack);
     for (const std::size_t i : stack) {
-      callout.requirement += (callout.requirement.empty() ? "" : " ") + key_of(file_, file_.all[i].id);
+      callout.requirement += (callout.requirement.empty() ? "" : " ") + key_of(file_, i);
       if (why.empty())
         set_drawn(i, *callout.view);
       else
@@ -253,15 +282,30 @@ class Statement {
   int sheet_;
   SymbolPlaces places_;
   std::vector<scene::DimensionDescription> dimensions_{};
+  std::map<std::size_t, std::size_t> drawn_by_{};  ///< number of the dimension, before equal ones are one
+  /// Numbers of dimensions that have a value, by type and faces; and of targets, by the letter of their datum.
+  std::map<std::pair<std::string, std::vector<int>>, std::vector<std::size_t>> valued_{};
+  std::map<std::string, std::vector<std::size_t>> targets_{};
+  std::set<std::string> letters_{};  ///< of the datums on the sheets
 };
+
+using RowsByKey = std::multimap<std::string, report::RequirementRow*, std::less<>>;
+
+RowsByKey drawn_rows(std::vector<FileRequirements>& files) {
+  RowsByKey rows;
+  for (FileRequirements& file : files)
+    for (std::size_t i = 0; i < file.rows.size(); ++i)
+      if (file.rows[i].is_drawn()) rows.emplace(key_of(file, i), &file.rows[i]);
+  return rows;
+}
 
 // The rows that a dimension or callout draws, by its keys.
 template <class Visit>
-void for_each_row(std::vector<FileRequirements>& files, const std::string& keys, const Visit& visit) {
-  for (const std::string_view key : split(keys, ' '))
-    for (FileRequirements& file : files)
-      for (report::RequirementRow& row : file.rows)
-        if (row.is_drawn() && key_of(file, row.id) == key) visit(row);
+void for_each_row(const RowsByKey& rows, const std::string& keys, const Visit& visit) {
+  for (const std::string_view key : split(keys, ' ')) {
+    const auto [first, end] = rows.equal_range(key);
+    std::for_each(first, end, [&visit](const auto& row) { visit(*row.second); });
+  }
 }
 
 }  // namespace
@@ -275,9 +319,10 @@ void begin_ledger(FileRequirements& file, const scene::SceneDescription& scene) 
   const scene::ModelDescription& model = scene.models[static_cast<std::size_t>(file.model)];
   const Pmi wanted = wanted_requirements(scene, model);
   const std::vector<int> characteristics = characteristic_numbers(file.all);
-  for (const ModelRequirement& one : file.all) {
+  for (std::size_t i = 0; i < file.all.size(); ++i) {
+    const ModelRequirement& one = file.all[i];
     report::RequirementRow& row = file.rows.emplace_back();
-    row.characteristic = characteristics[file.rows.size() - 1];
+    row.characteristic = characteristics[i];
     row.model = scene::name_of(model);
     row.id = one.id;
     row.kind = importer::requirement_kind_names[static_cast<std::size_t>(one.kind)];
@@ -286,10 +331,8 @@ void begin_ledger(FileRequirements& file, const scene::SceneDescription& scene) 
     if (!row.wanted)
       row.why = model.pmi.given() ? "--pmi " + std::string(scene::word_of(wanted)) + " leaves it out"
                                   : "the sheets have no dimensions and symbols";
-    else if (one.faces.empty())
-      row.why = one.missing.empty() ? "it belongs to no face of the model" : "not read: " + one.missing;
     else
-      row.why = not_seen;
+      row.why = why_unknown(one).value_or(not_seen);
   }
 }
 
@@ -330,17 +373,27 @@ void state_requirements(scene::SceneDescription& scene, std::vector<FileRequirem
 }
 
 void take_back(std::vector<FileRequirements>& files, const std::vector<std::string>& keys) {
+  const RowsByKey rows = drawn_rows(files);
   for (const std::string& list : keys)
-    for_each_row(files, list, [](report::RequirementRow& row) {
+    for_each_row(rows, list, [](report::RequirementRow& row) {
       row.view.clear();
       row.sheet = 0;
       row.why = "there is no place for it in the view";
     });
 }
 
+std::map<std::string, int> numbered_characteristics(const std::vector<FileRequirements>& files) {
+  std::map<std::string, int> numbers;
+  for (const FileRequirements& file : files)
+    for (std::size_t i = 0; i < file.rows.size(); ++i)
+      if (const int number = file.rows[i].characteristic; number > 0) numbers.emplace(key_of(file, i), number);
+  return numbers;
+}
+
 void set_zones(std::vector<FileRequirements>& files, const std::vector<std::pair<std::string, std::string>>& zones) {
+  const RowsByKey rows = drawn_rows(files);
   for (const auto& [list, zone] : zones)
-    for_each_row(files, list, [&zone = zone](report::RequirementRow& row) { row.zone = zone; });
+    for_each_row(rows, list, [&zone = zone](report::RequirementRow& row) { row.zone = zone; });
 }
 
 std::vector<report::RequirementRow> end_ledger(const std::vector<FileRequirements>& files, const Messages& messages,

@@ -2,6 +2,7 @@
 // What model files require, as annotations of a scene, and the ledger of it.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -49,6 +50,9 @@ void state_requirements(scene::SceneDescription& scene, std::vector<FileRequirem
 
 /// Says of what dimensions and callouts of the scene draw, by their `requirement`, that the sheet has no room for it.
 void take_back(std::vector<FileRequirements>& files, const std::vector<std::string>& keys);
+
+/// The number of each characteristic, by the `requirement` of what draws it.
+std::map<std::string, int> numbered_characteristics(const std::vector<FileRequirements>& files);
 
 /// Where on the sheet others are: the fields of its frame by their `requirement`.
 void set_zones(std::vector<FileRequirements>& files, const std::vector<std::pair<std::string, std::string>>& zones);

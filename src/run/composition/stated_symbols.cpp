@@ -53,6 +53,10 @@ bool SymbolPlaces::place(scene::CalloutDescription& callout, const std::vector<i
   const FaceView* best = nullptr;
   std::vector<SeenMark> marks;
   for (const FaceView& view : subject_.views) {
+    const surfaces::PartSurface& first = subject_.part.faces[static_cast<std::size_t>(faces.front())].surface;
+    if (ends == Ends::element && surfaces::has_axis(first.kind) &&
+        std::abs(glm::dot(first.axis, view.projection().n)) > max_tilt)
+      continue;
     std::vector<SeenMark> here;
     bool has_all = true;
     for (const int face : faces) {
@@ -78,20 +82,19 @@ bool SymbolPlaces::place(scene::CalloutDescription& callout, const std::vector<i
 
 std::vector<std::vector<std::size_t>> stacks_of(const std::vector<ModelRequirement>& all) {
   std::vector<std::vector<std::size_t>> stacks;
-  const auto stack_with = [&](const auto& is_it) {
-    return std::find_if(stacks.begin(), stacks.end(), [&](const std::vector<std::size_t>& stack) {
-      return std::any_of(stack.begin(), stack.end(), [&](std::size_t i) { return is_it(all[i]); });
-    });
-  };
+  std::map<std::vector<int>, std::size_t> by_faces;
+  std::map<std::string, std::size_t> by_id;
   const auto add = [&](std::size_t i, bool is_composite) {
     const ModelRequirement& one = all[i];
-    const auto stack = stack_with([&](const ModelRequirement& other) {
-      return is_composite ? other.id == one.above : !one.faces.empty() && other.faces == one.faces;
-    });
-    if (stack == stacks.end())
-      stacks.push_back({i});
-    else
-      stack->push_back(i);
+    std::size_t stack = stacks.size();
+    if (is_composite) {
+      if (const auto known = by_id.find(one.above); known != by_id.end()) stack = known->second;
+    } else if (!one.faces.empty()) {
+      stack = by_faces.emplace(one.faces, stack).first->second;
+    }
+    if (stack == stacks.size()) stacks.emplace_back();
+    stacks[stack].push_back(i);
+    by_id.emplace(one.id, stack);
   };
   for (const bool is_composite : {false, true})
     for (std::size_t i = 0; i < all.size(); ++i)

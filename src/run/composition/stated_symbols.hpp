@@ -19,8 +19,9 @@ class SymbolPlaces {
   /// A dimension of these faces that is straight.
   void add_dimension(const std::vector<int>& faces, const scene::DimensionDescription& dimension);
 
-  /// What a view must show of the faces: anything of one, a line of one, or, for what holds all around, lines of all.
-  enum class Ends { anything, line, lines_of_all };
+  /// What a view must show of the faces: anything of one, a line of one, for what holds all around, lines of all, or
+  /// for straightness of round ones, their straight lines in true length (ISO 1101).
+  enum class Ends { anything, line, lines_of_all, element };
 
   /// Returns whether there is a place. Sets the view, and the dimension or the end of the leader.
   bool place(scene::CalloutDescription& callout, const std::vector<int>& faces, Ends ends);

@@ -99,8 +99,8 @@ TEST_F(Pmi, TheLedgerSaysInWhichFieldOfTheFrameTheyAre) {
     EXPECT_EQ(row(id)["characteristic"].text, std::string(id) == "#1004" ? "1" : "2");
   }
   const std::string zone = row("#1004")["sheet_zone"].text;
-  const std::vector<std::string> list{"requirements", "part.step", "--drawing", "a.json", "--as9102", "form.csv",
-                                      "--json",       "l.json"};
+  const std::vector<std::string> list{"requirements", "part.step", "--drawing", "a.json",
+                                      "--as9102",     "form.csv",  "--json",    "l.json"};
   EXPECT_EQ(epura(list, folder_ / "").code, 0);
   EXPECT_TRUE(contains(read_file(folder_ / "form.csv"),
                        "1,\"sheet 1, zone " + zone + ", view front\",,linear distance 20.00 -0.1/+0.3 mm,,,,\r\n"))
@@ -271,6 +271,115 @@ TEST_F(Pmi, ASheetWithoutRoomLosesNothingInSilence) {
   }
   EXPECT_GT(told, 0);
   EXPECT_EQ(shown + told, 12) << drawn.err;
+}
+
+// What is read in part would be drawn wrong: a size without its deviations, a hole that is one of several.
+TEST_F(Pmi, WhatIsNotReadWholeIsToldAndNotDrawn) {
+  const std::string lost = step_aspect(1000, bottom_face) + step_aspect(1002, top_face) +
+                           "#1004=DIMENSIONAL_LOCATION('linear distance','',#1000,#1002);\n" +
+                           size(1010, 1004, "20.", "2.2") +
+                           "#1016=TOLERANCE_VALUE(#9998,#9999);\n#1017=PLUS_MINUS_TOLERANCE(#1016,#1004);\n";
+  const std::string of_two =
+      "#1100=SHAPE_ASPECT('','',#10,.T.);\n"
+      "#1101=GEOMETRIC_ITEM_SPECIFIC_USAGE('','',#1100,#50,#101);\n"
+      "#1102=GEOMETRIC_ITEM_SPECIFIC_USAGE('','',#1100,#50,#9999);\n" +
+      step_length(1103, "0.05", "") + "#1104=FLATNESS_TOLERANCE('','',#1103,#1100);\n";
+  const std::string unit = step_aspect(1200, left_face) +
+                           "#1202=(LENGTH_MEASURE_WITH_UNIT()MEASURE_REPRESENTATION_ITEM()MEASURE_WITH_UNIT("
+                           "LENGTH_MEASURE(0.02),#9999)REPRESENTATION_ITEM(''));\n"
+                           "#1203=FLATNESS_TOLERANCE('','',#1202,#1200);\n";
+  const Outcome drawn = draw_box(lost + of_two + unit);
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 1) << drawn.err;
+  EXPECT_TRUE(contains(drawn.err, "3 of the 3 requirements of the models are not drawn:")) << drawn.err;
+  EXPECT_EQ(row("#1004")["reason"].text, "not read: the values of its deviations");
+  EXPECT_EQ(row("#1104")["reason"].text, "not read: 1 item without a face");
+  EXPECT_EQ(row("#1203")["reason"].text, "the file gives its zone no width");
+  EXPECT_EQ(says("20.00"), 0);
+}
+
+// Datums that refer to themselves, and composite tolerances that stand above each other.
+TEST_F(Pmi, CirclesOfReferencesEndAndAreTold) {
+  const std::string datums =
+      step_aspect(1000, top_face) +
+      "#1110=DATUM_REFERENCE_COMPARTMENT('','',#10,.F.,COMMON_DATUM_LIST((#1111,#1112)),$);\n"
+      "#1111=DATUM_REFERENCE_ELEMENT('','',#10,.F.,#1110,$);\n#1112=DATUM_REFERENCE_ELEMENT('','',#10,.F.,#1111,$);\n"
+      "#1113=DATUM_SYSTEM('','',#10,.F.,(#1110,#1113));\n" +
+      step_length(1120, "0.2", "") + "#1121=PARALLELISM_TOLERANCE('','',#1120,#1000,(#1113));\n";
+  const std::string above = step_length(1130, "0.4", "") +
+                            "#1131=(GEOMETRIC_TOLERANCE('','',#1130,#1000)FLATNESS_TOLERANCE());\n"
+                            "#1132=(GEOMETRIC_TOLERANCE('','',#1130,#1000)FLATNESS_TOLERANCE());\n"
+                            "#1133=GEOMETRIC_TOLERANCE_RELATIONSHIP('composite tolerance','',#1131,#1132);\n"
+                            "#1134=GEOMETRIC_TOLERANCE_RELATIONSHIP('composite tolerance','',#1132,#1131);\n";
+  const Outcome drawn = draw_box(datums + above);
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 1) << drawn.err;
+  EXPECT_EQ(row("#1121")["reason"].text.find("not read: "), 0U) << row("#1121")["reason"].text;
+  EXPECT_EQ(ledger().items.size(), 3U);
+  for (const Json& one : ledger().items)
+    EXPECT_TRUE(one["view"].type != 'n' || one["reason"].type != 'n') << one["id"].text;
+}
+
+// Of a seam, of an edge, of the body, and of all of it.
+TEST_F(Pmi, WhatHoldsForNoFaceIsToldAndNotDrawn) {
+  const auto flat = [](int number, int item) {
+    return step_aspect(number, item) + step_length(number + 2, "0.05", "") + "#" + std::to_string(number + 3) +
+           "=STRAIGHTNESS_TOLERANCE('','',#" + std::to_string(number + 2) + ",#" + std::to_string(number) + ");\n";
+  };
+  constexpr int seam = 242, rim = 240, body = 52;
+  const Outcome drawn =
+      draw(step_shaft(6, 30,
+                      flat(1000, seam) + flat(1010, rim) + flat(1020, body) + step_length(1030, "0.3", "") +
+                          "#1031=SURFACE_PROFILE_TOLERANCE('','',#1030,#10);\n"),
+           {"--pmi", "all"});
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 1) << drawn.err;
+  EXPECT_TRUE(contains(drawn.err, "4 of the 4 requirements of the models are not drawn:")) << drawn.err;
+  for (const char* id : {"#1003", "#1013", "#1023"})
+    EXPECT_EQ(row(id)["reason"].text, "not read: 1 item without a face") << id;
+  EXPECT_EQ(row("#1031")["reason"].text, "it belongs to no face of the model");
+}
+
+// Of a line of its surface, which a view along the axis shows as a point.
+TEST_F(Pmi, StraightnessOfARoundFaceIsWhereItsLinesAreTrue) {
+  const std::string all = step_aspect(1000, round_face) + step_length(1002, "0.05", "") +
+                          "#1003=STRAIGHTNESS_TOLERANCE('','',#1002,#1000);\n";
+  const Outcome drawn = draw(step_shaft(6, 30, all), {"--pmi", "all"});
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_NE(row("#1003")["view"].text, "top");
+  EXPECT_EQ(draw(step_shaft(6, 30, all), {"--pmi", "all", "--views", "top"}).code, 1);
+}
+
+TEST_F(Pmi, OneKindAloneIsDrawnIfAsked) {
+  const std::string flatness = step_length(1020, "0.05", "") + "#1021=FLATNESS_TOLERANCE('','',#1020,#1002);\n";
+  const Outcome drawn = draw_box(height + flatness + datum(1100, bottom_face, "T"), {"--pmi", "tolerances"});
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_EQ(says("20.00 "), 0);
+  EXPECT_EQ(says("0.05"), 1);
+  EXPECT_EQ(says("T"), 1);
+  EXPECT_EQ(row("#1004")["reason"].text, "--pmi tolerances leaves it out");
+  EXPECT_EQ(draw_box(height + flatness, {"--pmi", "dimensions"}).code, 0);
+  EXPECT_EQ(says("20.00 "), 1);
+  EXPECT_EQ(says("0.05"), 0);
+}
+
+// The number of each characteristic stands beside it, and is that of the ledger.
+TEST_F(Pmi, BalloonsHaveTheNumbersOfTheLedger) {
+  const std::string flatness = step_length(1020, "0.05", "") + "#1021=FLATNESS_TOLERANCE('','',#1020,#1002);\n";
+  const std::string all = height + flatness + datum(1100, bottom_face, "T");
+  const Outcome drawn = draw_box(all, {"--pmi", "all", "--balloons", "characteristics"});
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_EQ(row("#1004")["characteristic"].text, "1");
+  EXPECT_EQ(row("#1021")["characteristic"].text, "2");
+  EXPECT_EQ(row("#1102")["characteristic"].type, 'n');
+  const int with = says("1") + says("2");
+  EXPECT_EQ(draw_box(all).code, 0);
+  EXPECT_EQ(with - says("1") - says("2"), 2);
+  const Outcome none = draw_box("", {"--balloons", "characteristics"});
+  EXPECT_TRUE(contains(none.err, "the models state nothing to be measured that is read")) << none.err;
 }
 
 TEST_F(Pmi, AFaceThatNoViewShowsIsAReason) {
