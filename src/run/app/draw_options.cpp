@@ -178,6 +178,11 @@ scene::Options<Draw> view_and_line_options() {
                            .help = "accept sheets that lack some of what the model files require, which is told; exit "
                                    "code 1 otherwise"},
                           run(&pipeline::RunOptions::allow_missing), scene::truth()),
+      scene::option<Draw>({.flag = "--balloons",
+                           .help = "characteristics: the number in an inspection beside each dimension and tolerance "
+                                   "that the model files require, as in epura requirements",
+                           .usual = "none"},
+                          run(&pipeline::RunOptions::balloons), scene::choice<pipeline::Balloons>()),
       scene::option<Draw>({.flag = "--parts-list",
                            .help = "add a list of the parts above the title block, and their numbers in the views"},
                           &Draw::parts_list, scene::truth()),

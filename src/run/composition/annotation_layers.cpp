@@ -97,14 +97,14 @@ sheet::Layer boundaries_of(std::span<const Annotations> annotations, std::span<c
   return layer;
 }
 
-// Faults of the dimensions of one view on paper. ISO 3098-1: lettering is at least 2.5 mm high.
+// Faults of the dimensions of one view on paper.
 void note_faults(std::vector<report::Finding>& findings, const std::string& view, const sheet::PlacedLayer& placed,
                  const sheet::Paper& paper) {
-  constexpr double min_height = 2.5;
   for (const std::string& crossing : placed.crossings)
     findings.push_back({report::FindingKind::crossing, view, crossing});
   for (const sheet::Text& text : placed.layer.texts)
-    if (text.height < min_height) findings.push_back({report::FindingKind::small_text, view, "'" + text.text + "'"});
+    if (text.height < sheet::smallest_lettering)
+      findings.push_back({report::FindingKind::small_text, view, "'" + text.text + "'"});
   if (!sheet::on_paper(placed.layer, {paper.width, paper.height}))
     findings.push_back({report::FindingKind::off_sheet, view, "dimensions extend beyond the sheet"});
 }
@@ -296,10 +296,6 @@ sheet::Neighbours in_the_way(sheet::Neighbours around, const SheetInput& input, 
   return neighbours;
 }
 
-void add_place(AnnotationLayers& result, const std::string& requirement, const Vec2& place) {
-  if (!requirement.empty()) result.places.emplace_back(requirement, place);
-}
-
 // Dimensions without room, without anything to measure, and without time.
 std::vector<std::size_t> numbers_undrawn(const sheet::PlacedLayer& placed, std::size_t count) {
   std::vector<std::size_t> numbers = placed.unseen;
@@ -360,7 +356,8 @@ std::vector<sheet::Callout> add_dimensions(AnnotationLayers& result, sheet::Neig
   for (const std::size_t number : placed.unseen) result.unseen[of.view].push_back(wanted.numbers[number]);
   for (const std::size_t number : numbers_undrawn(placed, wanted.dimensions.size()))
     result.unplaced.push_back(wanted.dimensions[number].requirement);
-  for (const auto& [number, place] : placed.places) add_place(result, wanted.dimensions[number].requirement, place);
+  for (const auto& [number, box] : placed.places)
+    result.places.push_back({wanted.dimensions[number].requirement, of.view, box});
   const std::size_t undrawn = wanted.dimensions.size() - placed.count;
   if (undrawn > 0) {
     budget.partial.add_stage("placing dimensions");
@@ -399,7 +396,7 @@ void add_callouts(AnnotationLayers& result, sheet::Neighbours& around, const She
     add_centre_lines(neighbours.boxes, views[i]);
     sheet::CalloutLayers layers = sheet::callout_layers(drawing.name, style);
     const sheet::CalloutFaults faults = sheet::place_callouts(layers, callouts, drawing, style, neighbours);
-    for (const auto& [number, place] : faults.places) add_place(result, callouts[number].requirement, place);
+    for (const auto& [number, box] : faults.places) result.places.push_back({callouts[number].requirement, i, box});
     for (const std::size_t number : faults.without_place) {
       const std::string& name = callouts[number].name;
       result.unplaced.push_back(callouts[number].requirement);
@@ -501,26 +498,41 @@ void add_free_callouts(AnnotationLayers& result, sheet::Neighbours& around, cons
   add_layers(result, around, std::move(layers), style.lettering);
 }
 
+// Beside the dimensions and symbols of a view that draw requirements.
+std::vector<sheet::BalloonTarget> characteristics_in(std::span<const RequirementPlace> places, std::size_t view,
+                                                     const std::map<std::string, int>& numbers) {
+  std::vector<sheet::BalloonTarget> targets;
+  for (const RequirementPlace& place : places)
+    for (const std::string_view key :
+         place.view == view ? split(place.requirement, ' ') : std::vector<std::string_view>())
+      if (const auto found = numbers.find(std::string(key)); found != numbers.end())
+        targets.push_back({std::to_string(found->second), place.box.centre, false, place.box});
+  return targets;
+}
+
 // The space that arrows, marks of sections and dimensions leave around the views.
 void add_balloons(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
                   std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
   const sheet::LineWidths widths = sheet::line_widths(input.plan.furniture.paper, input.plan.furniture.styles);
-  for (std::size_t i = 0; i < input.balloons.size(); ++i) {
-    if (input.balloons[i].empty()) continue;
+  const auto add = [&](std::size_t i, const std::vector<sheet::BalloonTarget>& targets, const std::string& what) {
+    if (targets.empty()) return;
     const drawing::ViewDrawing& drawing = views[i].drawing;
     sheet::Layer layer = sheet::empty_layer(drawing.name, scene::SheetLine::balloon, widths);
-    const sheet::Neighbours neighbours = with_other_views(around, views, i);
-    for (const std::string& number :
-         sheet::place_balloons(layer, input.balloons[i], {drawing.box.min, drawing.box.max}, style, neighbours)) {
-      result.warnings.push_back("there is no place for the balloon of item " + number + " around the view '" +
-                                drawing.name + "'\n  hint: use a larger sheet or a smaller scale");
-      result.findings.push_back(
-          {report::FindingKind::off_sheet, drawing.name, "there is no place for the balloon of item " + number});
+    const sheet::Neighbours neighbours =  // those beside texts are amid lines
+        targets.front().beside ? in_the_way(around, input, views, i, style) : with_other_views(around, views, i);
+    for (const std::string& number : sheet::place_balloons(layer, targets, drawing, style, neighbours)) {
+      const std::string missing = "there is no place for the balloon of " + what + " " + number;
+      result.warnings.push_back(missing + " around the view '" + drawing.name +
+                                "'\n  hint: use a larger sheet or a smaller scale");
+      result.findings.push_back({report::FindingKind::off_sheet, drawing.name, missing});
       ++result.without_room;
     }
     add_boxes(around.boxes, layer, style.lettering);
     result.layers.push_back(std::move(layer));
-  }
+  };
+  for (std::size_t i = 0; i < input.balloons.size(); ++i) add(i, input.balloons[i], "item");
+  for (std::size_t i = 0; i < views.size() && !input.characteristics.empty(); ++i)
+    add(i, characteristics_in(result.places, i, input.characteristics), "characteristic");
 }
 
 // Besides dimensions.

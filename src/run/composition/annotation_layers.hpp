@@ -14,15 +14,22 @@
 
 namespace epura::pipeline {
 
+/// Where a dimension or callout is.
+struct RequirementPlace {
+  std::string requirement;  ///< that it draws; empty: none
+  std::size_t view;
+  sheet::TurnedBox box;  ///< of the text or symbol, on paper
+};
+
 struct AnnotationLayers {
   std::vector<sheet::Layer> layers;  ///< dimensions of each view that has any, then the marks of sections
   std::vector<std::vector<sheet::Layer>> constructions;  ///< by view, to be painted first
   std::vector<std::vector<std::size_t>> left_out;  ///< by view: numbers of dimensions for which the sheet has no room
   std::vector<std::vector<std::size_t>> unseen;    ///< by view: of those that measure what the view does not show
   std::vector<std::string> unplaced{};             ///< requirements of dimensions and callouts that are not drawn
-  std::vector<std::pair<std::string, Vec2>> places{};  ///< those of others, and where they are on the page
-  std::size_t without_room = 0;                        ///< notes, symbols, tables, rows of hole tables, likewise
-  std::size_t fans = 0;                                ///< as in sheet::PlacedLayer
+  std::vector<RequirementPlace> places{};          ///< of dimensions and callouts that are drawn
+  std::size_t without_room = 0;                    ///< notes, symbols, tables, rows of hole tables, likewise
+  std::size_t fans = 0;                            ///< as in sheet::PlacedLayer
   std::vector<std::string> warnings;
   std::vector<std::string> unseen_warnings;  ///< no other sheet helps
   std::vector<report::Finding> findings;

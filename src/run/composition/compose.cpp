@@ -270,8 +270,8 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   finished.is_crowded = !beside.warnings.empty();
   finished.without_room = beside.without_room;
   finished.unplaced = beside.unplaced;
-  for (const auto& [requirement, place] : beside.places)
-    finished.zones.emplace_back(requirement, sheet::zone_at(paper, furniture.frame, place));
+  for (const RequirementPlace& place : beside.places)
+    finished.zones.emplace_back(place.requirement, sheet::zone_at(paper, furniture.frame, place.box.centre));
   finished.fans = beside.fans;
   if (beside.leaves_out_more_than(input.max_left_out)) {
     finished.left_out = std::move(beside.left_out);

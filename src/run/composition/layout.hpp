@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -73,7 +75,8 @@ struct SheetInput {
   const std::vector<Annotations>& annotations;                              ///< by view
   std::vector<std::vector<std::optional<sheet::CalloutTarget>>> targets{};  ///< of callouts, by view
   std::vector<std::vector<sheet::BalloonTarget>> balloons{};                ///< by view
-  std::optional<std::size_t> max_left_out{};  ///< dimensions without room; with more, the sheet is of no use
+  std::map<std::string, int> characteristics{};  ///< numbers of requirements that have balloons, by their keys
+  std::optional<std::size_t> max_left_out{};     ///< dimensions without room; with more, the sheet is of no use
 
   [[nodiscard]] const scene::SheetDescription& sheet() const {
     return scene.sheets[static_cast<std::size_t>(views.sheet)];

@@ -316,8 +316,10 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
   if (options.arcs) tell_of_curves(messages, results);
   if (!plan.inside || plan.crowded) warn_about(messages, plan);
   gathered.report.cut_off = gathered.report.cut_off || !plan.on_paper;
+  const bool has_numbers = options.balloons == Balloons::characteristics;
+  const auto numbers = has_numbers ? numbered_characteristics(required) : std::map<std::string, int>();
   FinishedSheet sheet = compose({worlds.main(), scene, views, plan, annotations, std::move(targets),
-                                 balloons_of(views, items_seen), max_left_out},
+                                 balloons_of(views, items_seen), numbers, max_left_out},
                                 results, budget);
   finish(sheet, plan, prepared.anchored);
   gathered.answers += sheet.answers = std::move(answers_of_sheet);
@@ -503,6 +505,10 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   recognise_parts(world, scene, options, gathered.report, progress.with_more_time(-for_views));
   doubt_unit(messages, scene, world, read.without_unit);
   find_features(scene, world);
+  if (options.balloons == Balloons::characteristics && numbered_characteristics(required).empty())
+    messages.warn(
+        "the models state nothing to be measured that is read, so no characteristic has a balloon\n  hint: "
+        "epura requirements lists what a file requires");
   if (std::any_of(sheets.begin(), sheets.end(), shows_parts))
     world = replace_helical_threads(std::move(world), scene, messages, progress);
   find_threads(world, scene);

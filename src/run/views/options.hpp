@@ -15,6 +15,9 @@
 namespace epura::pipeline {
 
 enum class DumpTable { edges, spans };
+/// What has balloons apart from the items of parts lists: `characteristics`, dimensions and symbols that model files
+/// require, with their numbers in an inspection.
+enum class Balloons { none, characteristics };
 /// Which lines count as hidden: `none` is a wireframe.
 enum class Visibility { exact, none };
 /// Which processes open nothing but what they were given: those of importers and workers, if the kernel can confine
@@ -26,6 +29,10 @@ enum class Sandbox { automatic, on, off };
 template <>
 struct epura::scene::Words<epura::pipeline::DumpTable> {
   static constexpr std::array list{"edges", "spans"};
+};
+template <>
+struct epura::scene::Words<epura::pipeline::Balloons> {
+  static constexpr std::array list{"none", "characteristics"};
 };
 template <>
 struct epura::scene::Words<epura::pipeline::Visibility> {
@@ -57,11 +64,12 @@ struct RunOptions {
   std::optional<double> time_limit;  ///< seconds
   bool verify = false;
   int verify_samples = 2000;
-  Shortcuts plan;               ///< shortcuts in use
-  bool explain = false;         ///< print the steps
-  bool lint = false;            ///< report faults of the dimensions
-  bool free_faces = false;      ///< with these, faces that the dimensions leave free
-  bool allow_missing = false;   ///< sheets may lack what model files require
+  Shortcuts plan;              ///< shortcuts in use
+  bool explain = false;        ///< print the steps
+  bool lint = false;           ///< report faults of the dimensions
+  bool free_faces = false;     ///< with these, faces that the dimensions leave free
+  bool allow_missing = false;  ///< sheets may lack what model files require
+  Balloons balloons = Balloons::none;
   bool error_note = false;      ///< sheets state above the title block how far lines may be from those of the part
   bool judges = false;          ///< finds the error budgets of the views
   bool keeps_drawings = false;  ///< in addition to the sheets

@@ -11,15 +11,23 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "sheet/callouts.hpp"
 
 namespace epura::sheet {
 
 namespace {
 
 constexpr double first_ring = 7, next_ring = 6;  // mm between the view and the circles, and between rings
+constexpr double balloon_size = 1.1;             // radius in heights of its number
 constexpr int rings = 9;
 constexpr double ring_step = 2;         // mm between possible places on a ring
-constexpr double balloons_apart = 2.5;  // mm between circles, and between them and other things
+constexpr double balloons_apart = 2.5;  // mm; BalloonSizes::apart around views
+
+/// Sizes of the balloons of one call, mm.
+struct BalloonSizes {
+  double text, radius;
+  double apart;  ///< between circles, and between them and other things
+};
 
 /// A possible place of a balloon.
 struct BalloonPlace {
@@ -68,28 +76,71 @@ std::vector<BalloonPlace> places_around(const Rectangle& view, double radius) {
   return places;
 }
 
+// Beside a box, ring by ring, in its directions; at each end, one is in the middle.
+std::vector<BalloonPlace> places_beside(const TurnedBox& box, const BalloonSizes& sizes) {
+  std::vector<BalloonPlace> places;
+  const Vec2 across = left_of(box.along);
+  for (int ring = 0; ring < rings; ++ring) {
+    const Vec2 half = box.half + sizes.radius + sizes.apart + next_ring * ring;
+    const auto add = [&](double x, double y) { places.push_back({box.centre + x * box.along + y * across, ring}); };
+    const Vec2 steps = glm::ceil(2.0 * half / ring_step);
+    for (int i = 0; i <= static_cast<int>(steps.x); ++i)
+      for (const double y : {half.y, -half.y}) add(half.x * (2 * i / steps.x - 1), y);
+    const int up = static_cast<int>(std::ceil(half.y / ring_step));
+    for (int i = 1 - up; i < up; ++i)
+      for (const double x : {half.x, -half.x}) add(x, half.y * i / up);
+  }
+  return places;
+}
+
+Vec2 nearest_point(const TurnedBox& box, const Vec2& p) {
+  const Vec2 across = left_of(box.along), from = p - box.centre;
+  const Vec2 inside = glm::clamp(Vec2(glm::dot(from, box.along), glm::dot(from, across)), -box.half, box.half);
+  return box.centre + inside.x * box.along + inside.y * across;
+}
+
+Vec2 leader_end(const BalloonTarget& target, const BalloonPlace& place) {
+  return target.beside ? nearest_point(*target.beside, place.centre) : target.point;
+}
+
 /// Chooses places, one balloon after another.
 class BalloonPlacer {
  public:
-  BalloonPlacer(std::span<const BalloonTarget> targets, const Rectangle& view, double radius,
+  BalloonPlacer(std::span<const BalloonTarget> targets, const drawing::ViewDrawing& view, const BalloonSizes& sizes,
                 const Neighbours& neighbours)
-      : targets_(targets), radius_(radius), neighbours_(neighbours) {
+      : targets_(targets), sizes_(sizes), neighbours_(neighbours), places_(targets.size()) {
+    const std::vector<Rectangle> hatched = hatched_boxes(view);
     const auto is_free = [&](const BalloonPlace& place) {
-      const Rectangle box{place.centre - radius - balloons_apart, place.centre + radius + balloons_apart};
+      const Rectangle box = Rectangle{place.centre, place.centre}.grown(sizes.radius + sizes.apart);
       if (neighbours.paper && !neighbours.paper->holds(box)) return false;
       const TurnedBox turned = turned_box(box);
       return std::none_of(neighbours.boxes.begin(), neighbours.boxes.end(),
-                          [&turned](const TurnedBox& other) { return overlap(turned, other); });
+                          [&turned](const TurnedBox& other) { return overlap(turned, other); }) &&
+             std::none_of(hatched.begin(), hatched.end(),
+                          [&box](const Rectangle& face) { return face.overlaps(box); }) &&
+             ink_in(turned, view) == 0;
     };
-    for (const BalloonPlace& place : places_around(view, radius))
-      if (is_free(place)) places_.push_back(place);
+    const auto free_of = [&](std::vector<BalloonPlace> places) {
+      std::erase_if(places, [&](const BalloonPlace& place) { return !is_free(place); });
+      return places;
+    };
+    std::vector<BalloonPlace> around_view;
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      if (targets[i].beside)
+        places_[i] = free_of(places_beside(*targets[i].beside, sizes));
+      else if (around_view.empty())
+        places_[i] = around_view = free_of(places_around({view.box.min, view.box.max}, sizes.radius));
+      else
+        places_[i] = around_view;
+    }
+    check(sizes.radius > 0 && sizes.apart > 0, "balloons take up room");
   }
 
   // Adds a balloon where it costs least beside those that are placed; returns false if there is no place.
   bool add(std::size_t target) {
     std::optional<Placed> best;
     double least = HUGE_VAL;
-    for (const BalloonPlace& place : places_) {
+    for (const BalloonPlace& place : places_[target]) {
       const Placed one{target, place};
       const double cost = cost_of(one);
       if (cost >= least || !suits(one)) continue;
@@ -130,11 +181,13 @@ class BalloonPlacer {
   [[nodiscard]] const std::vector<Placed>& placed() const { return placed_; }
 
  private:
-  [[nodiscard]] Vec2 end_of(const Placed& one) const { return targets_[one.target].point; }
+  [[nodiscard]] Vec2 end_of(const Placed& one) const { return leader_end(targets_[one.target], one.place); }
 
-  // Leaders are oblique (ISO 128-2).
+  // Leaders are oblique (ISO 128-2). Beside a text, its end is best.
   [[nodiscard]] double cost_of(const Placed& one) const {
     constexpr double for_ring = 12, for_upright = 15;
+    if (const auto& box = targets_[one.target].beside)
+      return glm::length(one.place.centre - (box->centre + box->half.x * box->along)) + for_ring * one.place.ring;
     const Vec2 leader = one.place.centre - end_of(one);
     const double least = std::min(std::abs(leader.x), std::abs(leader.y));
     return glm::length(leader) + for_ring * one.place.ring + (least < 0.18 * glm::length(leader) ? for_upright : 0);
@@ -149,44 +202,58 @@ class BalloonPlacer {
   }
 
   [[nodiscard]] bool suits(const Placed& one) const {
-    const double least = radius_ + balloons_apart;
+    const double least = sizes_.radius + sizes_.apart;
     return std::all_of(placed_.begin(), placed_.end(), [&](const Placed& other) {
       const Vec2 &a = one.place.centre, &b = other.place.centre;
-      return glm::length(a - b) >= radius_ + least && !do_leaders_cross(a, end_of(one), b, end_of(other)) &&
+      return glm::length(a - b) >= sizes_.radius + least && !do_leaders_cross(a, end_of(one), b, end_of(other)) &&
              distance_to_line(a, b, end_of(other)) >= least && distance_to_line(b, a, end_of(one)) >= least;
     });
   }
 
   std::span<const BalloonTarget> targets_;
-  double radius_;
+  BalloonSizes sizes_;
   const Neighbours& neighbours_;
-  std::vector<BalloonPlace> places_;
+  std::vector<std::vector<BalloonPlace>> places_;  ///< by target: those that are free
   std::vector<Placed> placed_;
 };
 
-void draw(Layer& layer, const BalloonTarget& target, const Vec2& centre, const DimensionStyle& style) {
-  const double radius = balloon_radius(style.text), height = balloon_text(style.text);
-  const Vec2 along = glm::normalize(target.point - centre);
-  layer.strokes.push_back(circle_at(centre, radius));
-  layer.strokes.emplace_back().points = {centre + radius * along, target.point};
-  layer.fills.push_back(target.on_line ? arrow_at(target.point, along, style) : dot_at(target.point));
-  layer.texts.push_back({target.number, centre - Vec2(0, height / 2), height, 0, Align::middle, "balloon"});
+void draw(Layer& layer, const BalloonTarget& target, const BalloonPlace& place, const BalloonSizes& sizes,
+          const DimensionStyle& style) {
+  const Vec2 &centre = place.centre, end = leader_end(target, place);
+  layer.strokes.push_back(circle_at(centre, sizes.radius));
+  layer.texts.push_back({target.number, centre - Vec2(0, sizes.text / 2), sizes.text, 0, Align::middle, "balloon"});
+  if (target.beside && place.ring == 0) return;
+  const Vec2 along = glm::normalize(end - centre);
+  layer.strokes.emplace_back().points = {centre + sizes.radius * along, end};
+  if (!target.beside) layer.fills.push_back(target.on_line ? arrow_at(end, along, style) : dot_at(end));
+}
+
+// Those beside texts are as small as lettering may be, and as near as dimension lines are to texts.
+BalloonSizes sizes_of(std::span<const BalloonTarget> targets, const DimensionStyle& style) {
+  if (targets.empty() || !targets.front().beside)
+    return {balloon_text(style.text), balloon_radius(style.text), balloons_apart};
+  BalloonSizes sizes{smallest_lettering, balloon_size * smallest_lettering, style.above()};
+  for (const BalloonTarget& target : targets)
+    sizes.radius = std::max(sizes.radius, style.lettering.width(target.number, sizes.text) / 2 + style.above());
+  return sizes;
 }
 
 }  // namespace
 
 double balloon_text(double dimension_text) { return dimension_text < 3 ? 3.5 : 5; }
 
-double balloon_radius(double dimension_text) { return 1.1 * balloon_text(dimension_text); }
+double balloon_radius(double dimension_text) { return balloon_size * balloon_text(dimension_text); }
 
 double balloon_room(double dimension_text) { return first_ring + 2 * balloon_radius(dimension_text) + balloons_apart; }
 
-std::vector<std::string> place_balloons(Layer& layer, std::span<const BalloonTarget> targets, const Rectangle& view,
-                                        const DimensionStyle& style, const Neighbours& neighbours) {
-  const BalloonPlacer empty(targets, view, balloon_radius(style.text), neighbours);
+std::vector<std::string> place_balloons(Layer& layer, std::span<const BalloonTarget> targets,
+                                        const drawing::ViewDrawing& view, const DimensionStyle& style,
+                                        const Neighbours& neighbours) {
+  const BalloonSizes sizes = sizes_of(targets, style);
+  const BalloonPlacer empty(targets, view, sizes, neighbours);
   // Usually those near the border of the view first: their leaders are short and leave the others ways between them.
   const auto depth = [&](const Vec2& p) {
-    const Vec2 inside = glm::min(p - view.min, view.max - p);
+    const Vec2 inside = glm::min(p - view.box.min, view.box.max - p);
     return std::min(inside.x, inside.y);
   };
   const std::array<std::function<double(const Vec2&)>, 4> orders = {depth, [&](const Vec2& p) { return -depth(p); },
@@ -204,7 +271,7 @@ std::vector<std::string> place_balloons(Layer& layer, std::span<const BalloonTar
   std::vector<std::string> left_out;
   for (std::size_t i = 0, next = 0; i < targets.size(); ++i) {
     if (next < placed.size() && placed[next].target == i)
-      draw(layer, targets[i], placed[next++].place.centre, style);
+      draw(layer, targets[i], placed[next++].place, sizes, style);
     else
       left_out.push_back(targets[i].number);
   }

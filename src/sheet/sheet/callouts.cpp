@@ -158,14 +158,8 @@ bool has_inside(const TurnedBox& box) { return box.half.x > 0 && box.half.y > 0;
 class CalloutPlacer {
  public:
   CalloutPlacer(const drawing::ViewDrawing& view, const Neighbours& neighbours)
-      : view_(view), paper_(neighbours.paper) {
+      : view_(view), paper_(neighbours.paper), hatched_(hatched_boxes(view)) {
     for (const TurnedBox& box : neighbours.boxes) add(box);
-    for (const drawing::CutFace& face : view.cuts.faces)
-      for (const std::vector<Vec2>& ring : face.rings) {
-        Rectangle box{ring.front(), ring.front()};
-        for (const Vec2& p : ring) box = united(box, {p, p});
-        hatched_.push_back(box);
-      }
   }
 
   [[nodiscard]] std::optional<Spot> best(const Callout& callout, double landing) const {
@@ -257,8 +251,8 @@ class CalloutPlacer {
 
   const drawing::ViewDrawing& view_;
   std::optional<Rectangle> paper_;
-  std::vector<TurnedBox> areas_, lines_;
   std::vector<Rectangle> hatched_;
+  std::vector<TurnedBox> areas_, lines_;
 };
 
 // A triangle on a line, on the side of its leader. ISO 5459.
@@ -427,6 +421,16 @@ CalloutLayers callout_layers(const std::string& view, const DimensionStyle& styl
   return layers;
 }
 
+std::vector<Rectangle> hatched_boxes(const drawing::ViewDrawing& drawing) {
+  std::vector<Rectangle> boxes;
+  for (const drawing::CutFace& face : drawing.cuts.faces)
+    for (const std::vector<Vec2>& ring : face.rings) {
+      Rectangle& box = boxes.emplace_back(Rectangle{ring.front(), ring.front()});
+      for (const Vec2& p : ring) box = united(box, {p, p});
+    }
+  return boxes;
+}
+
 double callout_room(double height) { return shortest_leader + height + callout_clearance; }
 
 CalloutFaults place_callouts(CalloutLayers& layers, std::span<const Callout> callouts, const drawing::ViewDrawing& view,
@@ -441,7 +445,7 @@ CalloutFaults place_callouts(CalloutLayers& layers, std::span<const Callout> cal
     if (!placer.is_free(spot.box)) faults.crossings.push_back(callout.name);
     placer.add(spot);
     draw_callout(layers, callout, spot, style);
-    faults.places.emplace_back(number_of(callout), spot.box.centre());
+    faults.places.emplace_back(number_of(callout), turned_box(spot.box));
   }
   // Those with the least choice first.
   for (const LeaderForm form : {LeaderForm::datum, LeaderForm::landing, LeaderForm::reference})
@@ -450,7 +454,7 @@ CalloutFaults place_callouts(CalloutLayers& layers, std::span<const Callout> cal
       if (const auto spot = placer.best(callout, landing)) {
         placer.add(*spot);
         draw_callout(layers, callout, *spot, style);
-        faults.places.emplace_back(number_of(callout), spot->box.centre());
+        faults.places.emplace_back(number_of(callout), turned_box(spot->box));
       } else {
         faults.without_place.push_back(number_of(callout));
       }

@@ -65,14 +65,17 @@ Rectangle box_at(const Callout& callout, const Vec2& upper_left);
 /// Adds one without a leader.
 void draw_at(CalloutLayers& layers, const Callout& callout, const Vec2& upper_left);
 
+/// Boxes of the outlines of cut faces, on whose hatching nothing stands.
+std::vector<Rectangle> hatched_boxes(const drawing::ViewDrawing& drawing);
+
 /// Room beside a view for callouts of this height, mm.
 double callout_room(double height);
 
 /// What `place_callouts` did, and could not do.
 struct CalloutFaults {
-  std::vector<std::size_t> without_place;              ///< numbers of those that are left out
-  std::vector<std::string> crossings;                  ///< names of those at a given position on something else
-  std::vector<std::pair<std::size_t, Vec2>> places{};  ///< numbers of those that are drawn, and their middles
+  std::vector<std::size_t> without_place;                   ///< numbers of those that are left out
+  std::vector<std::string> crossings;                       ///< names of those at a given position on something else
+  std::vector<std::pair<std::size_t, TurnedBox>> places{};  ///< numbers of those that are drawn, and their boxes
 };
 
 /// Places callouts with leaders one after another, those with given positions first, then datums, frames, texts:

@@ -569,8 +569,7 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
       if (end.arrow) *end.arrow += static_cast<int>(result.layer.fills.size());
     result.zones.insert(result.zones.end(), dimension->zones.begin(), dimension->zones.end());
     if (const std::string& name = shown.measured[i].name; !name.empty()) result.ends[name] = std::move(dimension->ends);
-    if (!dimension->text_boxes.empty())
-      result.places.emplace_back(shown.numbers[i], dimension->text_boxes.front().centre);
+    if (!dimension->text_boxes.empty()) result.places.emplace_back(shown.numbers[i], dimension->text_boxes.front());
     add_to(result.layer, std::move(*dimension), texts[i], style);
     done.insert(shown.numbers[i]);
   }

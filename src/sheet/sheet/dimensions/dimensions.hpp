@@ -32,10 +32,10 @@ struct DimensionedView {
 /// The dimensions of a view on paper.
 struct PlacedLayer {
   Layer layer;
-  std::vector<TurnedBox> zones{};                      ///< of its dimensions, for their exclusive use
-  std::size_t count = 0;                               ///< of the dimensions for which there was time
-  std::vector<std::size_t> left_out{};                 ///< numbers of those without room
-  std::vector<std::pair<std::size_t, Vec2>> places{};  ///< numbers of those that are drawn, and where their texts are
+  std::vector<TurnedBox> zones{};                           ///< of its dimensions, for their exclusive use
+  std::size_t count = 0;                                    ///< of the dimensions for which there was time
+  std::vector<std::size_t> left_out{};                      ///< numbers of those without room
+  std::vector<std::pair<std::size_t, TurnedBox>> places{};  ///< numbers of those that are drawn, and their texts
   std::vector<std::string> texts_left_out{};
   std::vector<std::size_t> unseen{};  ///< numbers of those that measure what the view does not show, also left out
   std::vector<std::string> texts_unseen{};
