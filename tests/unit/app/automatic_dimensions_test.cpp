@@ -347,8 +347,8 @@ TEST_F(AutomaticDimensions, TellWhatIsWrongOnAnySheet) {
   }
 }
 
-// An estimate of the room would take A2 for the first, and A3 for the second. With half of it, the third would be on
-// A1, without some of its dimensions.
+// An estimate of the room would take A2 for the first. On A4, a length of the second would stand among those of another
+// view. With half of the room, the third would be on A1, without some of its dimensions.
 TEST_F(AutomaticDimensions, ChooseTheSmallestSheetOnWhichTheyFit) {
   const auto chosen = [&](const std::string& model, const Words& more) {
     Words arguments{"draw",    model,  "--views", "front,top,left", "--dimensions", "auto",
@@ -362,7 +362,7 @@ TEST_F(AutomaticDimensions, ChooseTheSmallestSheetOnWhichTheyFit) {
     return json.substr(begin, json.find('}', begin) + 1 - begin);
   };
   EXPECT_EQ(chosen(sample("elbow.obj"), {}), R"({"size": [420, 297], "scale": 0.5})");
-  EXPECT_EQ(chosen(sample("bracket.obj"), {"--scale", "1:2"}), R"({"size": [297, 210], "scale": 0.5})");
+  EXPECT_EQ(chosen(sample("bracket.obj"), {"--scale", "1:2"}), R"({"size": [420, 297], "scale": 0.5})");
   EXPECT_EQ(chosen(sample("house.obj"), {}), R"({"size": [1189, 841], "scale": 0.02})");
   for (const auto& parts : {plates(), round_parts(), blocks()})
     for (const KnownPart& part : parts) chosen(folder.file("part.obj", part.obj), {});
