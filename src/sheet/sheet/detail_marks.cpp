@@ -55,11 +55,13 @@ class LetterObstacles {
     count_ += static_cast<int>(boxes.size());
   }
 
-  /// How many obstacles a letter would touch; being outside the area counts most.
-  [[nodiscard]] int touched_by(const TurnedBox& letter) const {
+  /// How many obstacles a letter would touch, counted no further once they are more than `most`; being outside the
+  /// area counts most.
+  [[nodiscard]] int touched_by(const TurnedBox& letter, double most = HUGE_VAL) const {
+    const int outside = area_.holds(around(letter)) ? 0 : count_ + 1;
     TurnedBox wide = letter;
     wide.half += gap;
-    return boxes_.overlaps(wide) + (area_.holds(around(letter)) ? 0 : count_ + 1);
+    return outside + (outside <= most ? boxes_.overlaps(wide, most - outside) : 0);
   }
 
  private:
@@ -97,7 +99,7 @@ LetterPlace best_place(const drawing::Boundary& boundary, const Vec2& half, cons
   for (double leader = 0; touched > 0 && leader <= longest_leader; leader += detail_leader_step)
     for (const int degrees : letter_directions) {
       const LetterPlace place = place_at(boundary, degrees, leader, half);
-      const int here = obstacles.touched_by(place.letter);
+      const int here = obstacles.touched_by(place.letter, touched);
       if (here < touched) {
         best = place;
         touched = here;

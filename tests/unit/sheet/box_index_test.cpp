@@ -39,6 +39,9 @@ TEST(BoxIndex, CountsWhatOverlapsAmongAll) {
     const auto meets = [&](const sheet::TurnedBox& other) { return sheet::overlap(box, other); };
     const auto expected = static_cast<int>(std::count_if(all.begin(), all.end(), meets));
     EXPECT_EQ(index.overlaps(box), expected);
+    EXPECT_EQ(index.overlaps(box, expected), expected);
+    const int fewer = expected / 2;
+    EXPECT_TRUE(fewer == expected || index.overlaps(box, fewer) > fewer);
     max = std::max(max, expected);
   }
   EXPECT_GT(max, 50);
@@ -59,6 +62,20 @@ TEST(BoxIndex, FindsLinesBesideOthers) {
   EXPECT_EQ(counts({10, 1.3}, {50, 1.3}), std::pair(0, 0));
   EXPECT_EQ(counts({100.5, 0}, {150, 0}), std::pair(0, 1)) << "only beside the one that goes on";
   EXPECT_EQ(counts({10, 0}, {50, 20}), std::pair(0, 0)) << "not parallel";
+}
+
+TEST(BoxIndex, CountsNoFurtherThanIsAsked) {
+  const std::vector<sheet::TurnedBox> all(1, boxes(1, 1).front());
+  sheet::BoxIndex index(all);
+  for (int i = 0; i < 9; ++i) {
+    index.add(all);
+    sheet::TurnedBox moved = all.front();
+    moved.centre += Vec2(1e-3 * (i + 1));
+    index.add({&moved, 1});
+  }
+  EXPECT_EQ(index.overlaps(all.front()), 19);
+  EXPECT_EQ(index.overlaps(all.front(), 3), 10);
+  EXPECT_EQ(index.overlaps(all.front(), 10), 11);
 }
 
 TEST(BoxIndex, ForgetsWhatIsTakenOut) {

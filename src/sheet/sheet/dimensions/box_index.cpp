@@ -10,9 +10,9 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double index_cell = 25;  // mm
+constexpr double index_cell = 10;  // mm
 // Boxes far off the paper belong to the outermost cells.
-constexpr double last_cell = 64;
+constexpr double last_cell = 160;
 
 std::array<double, 6> key_of(const TurnedBox& box) {
   return {box.centre.x, box.centre.y, box.along.x, box.along.y, box.half.x, box.half.y};
@@ -25,12 +25,6 @@ BoxIndex::Cell BoxIndex::cell_at(const Vec2& place) {
   return {static_cast<int>(cell.x), static_cast<int>(cell.y)};
 }
 
-template <class Visit>
-void BoxIndex::visit_cells(const Cell& min, const Cell& max, const Visit& visit) {
-  for (int x = min[0]; x <= max[0]; ++x)
-    for (int y = min[1]; y <= max[1]; ++y) visit(Cell{x, y});
-}
-
 void BoxIndex::add(std::span<const TurnedBox> boxes) {
   for (const TurnedBox& box : boxes) {
     const auto [known, is_new] = known_.try_emplace(key_of(box), entries_.size());
@@ -39,9 +33,11 @@ void BoxIndex::add(std::span<const TurnedBox> boxes) {
       continue;
     }
     const auto [min, max] = around(box);
-    visit_cells(cell_at(min), cell_at(max), [&](const Cell& cell) { cells_[cell].push_back(entries_.size()); });
     check(min.x <= max.x && min.y <= max.y, "a rectangle contains its box");
-    entries_.push_back({box, min, max, 1});
+    const Cell first = cell_at(min), last = cell_at(max);
+    for (int x = first[0]; x <= last[0]; ++x)
+      for (int y = first[1]; y <= last[1]; ++y) cells_[{x, y}].push_back(entries_.size());
+    entries_.push_back({box, min, max, first, 1});
   }
 }
 
@@ -58,22 +54,28 @@ void BoxIndex::visit_near(const TurnedBox& box, const Visit& visit) const {
   const auto [min, max] = around(box);
   check(min.x <= max.x && min.y <= max.y, "a rectangle contains its box");
   const Cell first = cell_at(min), last = cell_at(max);
-  visit_cells(first, last, [&, &min = min, &max = max](const Cell& cell) {
-    const auto found = cells_.find(cell);
-    if (found == cells_.end()) return;
-    for (const std::size_t i : found->second) {
-      const Entry& entry = entries_[i];
-      if (entry.count == 0) continue;
-      if (entry.min.x > max.x || entry.max.x < min.x || entry.min.y > max.y || entry.max.y < min.y) continue;
-      // Both may share several cells; only the cell with the lower left corner of their intersection counts.
-      if (first == last || cell_at(glm::max(entry.min, min)) == cell) visit(entry);
+  for (Cell cell = first; cell[0] <= last[0]; ++cell[0])
+    for (cell[1] = first[1]; cell[1] <= last[1]; ++cell[1]) {
+      const auto found = cells_.find(cell);
+      if (found == cells_.end()) continue;
+      for (const std::size_t i : found->second) {
+        const Entry& entry = entries_[i];
+        // Both may share several cells; only the cell with the lower left corner of their intersection counts.
+        if (entry.count == 0 || std::max(entry.first[0], first[0]) != cell[0] ||
+            std::max(entry.first[1], first[1]) != cell[1])
+          continue;
+        if (entry.min.x > max.x || entry.max.x < min.x || entry.min.y > max.y || entry.max.y < min.y) continue;
+        if (!visit(entry)) return;
+      }
     }
-  });
 }
 
-int BoxIndex::overlaps(const TurnedBox& box) const {
+int BoxIndex::overlaps(const TurnedBox& box, double most) const {
   int count = 0;
-  visit_near(box, [&](const Entry& entry) { count += overlap(entry.box, box) ? entry.count : 0; });
+  visit_near(box, [&](const Entry& entry) {
+    count += overlap(entry.box, box) ? entry.count : 0;
+    return count <= most;
+  });
   return count;
 }
 
@@ -84,9 +86,11 @@ BoxIndex::LinesBeside BoxIndex::beside(const TurnedBox& line, double same, doubl
   LinesBeside found;
   visit_near(wide, [&](const Entry& entry) {
     const TurnedBox& other = entry.box;
-    if (other.half.y > 0 || std::abs(cross(line.along, other.along)) > parallel || !overlap(other, wide)) return;
+    const bool is_beside =
+        other.half.y == 0 && std::abs(cross(line.along, other.along)) <= parallel && overlap(other, wide);
     const double off = std::abs(cross(line.along, other.centre - line.centre));
-    (off < same ? found.on_it : found.near) += entry.count;
+    if (is_beside) (off < same ? found.on_it : found.near) += entry.count;
+    return true;
   });
   check(found.on_it >= 0 && found.near >= 0, "lines are counted");
   return found;

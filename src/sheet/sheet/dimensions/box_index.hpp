@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <map>
 #include <span>
@@ -23,8 +24,8 @@ class BoxIndex {
   /// Takes out boxes that were added.
   void remove(std::span<const TurnedBox> boxes);
 
-  /// How many of them share more than their borders with the box.
-  [[nodiscard]] int overlaps(const TurnedBox& box) const;
+  /// How many of them share more than their borders with the box; counted no further once they are more than `most`.
+  [[nodiscard]] int overlaps(const TurnedBox& box, double most = HUGE_VAL) const;
 
   /// How many lines run beside this one, in part, parallel to it and less than `apart` mm off; those less than `same`
   /// mm off are on it.
@@ -38,15 +39,14 @@ class BoxIndex {
   struct Entry {
     TurnedBox box;
     Vec2 min, max;  ///< of its bounding rectangle
+    Cell first;     ///< that of its lower left corner
     int count;
   };
 
   static Cell cell_at(const Vec2& place);
-  /// Calls `visit(entry)` once for each box whose rectangle meets that of this one.
+  /// Calls `visit(entry)` once for each box whose rectangle meets that of this one, until that returns false.
   template <class Visit>
   void visit_near(const TurnedBox& box, const Visit& visit) const;
-  template <class Visit>
-  static void visit_cells(const Cell& min, const Cell& max, const Visit& visit);
 
   std::vector<Entry> entries_;
   std::map<std::array<double, 6>, std::size_t> known_;

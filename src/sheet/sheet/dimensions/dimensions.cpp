@@ -175,7 +175,7 @@ class Placer {
       for (const std::size_t i : order_) {
         if (!placed_[i] || progress.is_out_of_time()) continue;
         surroundings_.remove(*placed_[i]);
-        const bool is_crossed = surroundings_.cost(*placed_[i], HUGE_VAL) >= cost_of_text;
+        const bool is_crossed = surroundings_.cost(*placed_[i], cost_of_text) >= cost_of_text;
         surroundings_.add(*placed_[i]);
         if (!is_crossed) continue;
         take(i);

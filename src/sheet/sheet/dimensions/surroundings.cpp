@@ -88,24 +88,30 @@ double Surroundings::cost_of_leader(const LeaderLine& leader) const {
 
 double Surroundings::cost(const PlacedDimension& dimension, double max) const {
   double cost = 0;
-  // Rows have hundreds of boxes.
-  const auto add_all = [&](const std::vector<TurnedBox>& boxes, const auto& cost_of) {
-    for (auto box = boxes.begin(); box != boxes.end() && cost < max; ++box) cost += cost_of(*box);
+  // Rows have hundreds of boxes, and in a crowd each meets hundreds of others.
+  const auto add_all = [&](const std::vector<TurnedBox>& boxes, const auto& add) {
+    for (auto box = boxes.begin(); box != boxes.end() && cost < max; ++box) add(*box);
   };
-  const auto is_off_paper = [&](const TurnedBox& zone) { return paper_ && !paper_->holds(around(zone)); };
-  add_all(dimension.text_boxes, [&](const TurnedBox& text) { return cost_of_text * lines_.overlaps(text); });
+  const auto add_overlaps = [&](double each, const BoxIndex& index, const TurnedBox& box) {
+    if (cost < max) cost += each * index.overlaps(box, (max - cost) / each);
+  };
+  add_all(dimension.text_boxes, [&](const TurnedBox& text) { add_overlaps(cost_of_text, lines_, text); });
   add_all(dimension.zones, [&](const TurnedBox& zone) {
-    return cost_of_zone * (zones_.overlaps(zone) + (is_off_paper(zone) ? 1 : 0)) +
-           cost_of_crossing * lines_.overlaps(zone);
+    if (paper_ && !paper_->holds(around(zone))) cost += cost_of_zone;
+    add_overlaps(cost_of_zone, zones_, zone);
+    add_overlaps(cost_of_crossing, lines_, zone);
   });
   add_all(dimension.lines, [&](const TurnedBox& line) {
-    return cost_of_text * texts_.overlaps(line) + cost_of_crossing * zones_.overlaps(line) +
-           cost_of_letter * (letters_.overlaps(line) + lines_.beside(line, on_line, nearest_lines).near) +
-           cost_of_other * others_.overlaps(line) + cost_of_zone * views_.overlaps(line);
+    add_overlaps(cost_of_zone, views_, line);
+    add_overlaps(cost_of_text, texts_, line);
+    add_overlaps(cost_of_letter, letters_, line);
+    if (cost < max) cost += cost_of_letter * lines_.beside(line, on_line, nearest_lines).near;
+    add_overlaps(cost_of_other, others_, line);
+    add_overlaps(cost_of_crossing, zones_, line);
   });
   for (const LeaderLine& leader : dimension.leaders) cost += cost < max ? cost_of_leader(leader) : 0;
-  add_all(dimension.text_boxes, [&](const TurnedBox& text) { return ink_.in(text) > 0 ? cost_of_text : 0; });
-  add_all(dimension.lines, [&](const TurnedBox& line) { return cost_of_ink * ink_.in(line); });
+  add_all(dimension.text_boxes, [&](const TurnedBox& text) { cost += ink_.in(text) > 0 ? cost_of_text : 0; });
+  add_all(dimension.lines, [&](const TurnedBox& line) { cost += cost_of_ink * ink_.in(line); });
   check(cost >= 0, "nothing is better than free paper");
   return cost;
 }
