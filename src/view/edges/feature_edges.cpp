@@ -128,6 +128,15 @@ struct EdgeJudge {
     return kind == surfaces::SurfaceKind::sphere || kind == surfaces::SurfaceKind::torus;
   }
 
+  // Whether two triangles lie in one plane face, one of them a needle as low as corners are off the face, above and
+  // below: whatever side of it is seen, and wherever it is folded to, a plane has no contour.
+  [[nodiscard]] bool are_of_plane_with_needle(int one, int other) const {
+    if (part == nullptr || part->face_of_triangle[one] != part->face_of_triangle[other]) return false;
+    const auto face = static_cast<std::size_t>(part->face_of_triangle[one]);
+    return part->faces[face].surface.kind == surfaces::SurfaceKind::plane &&
+           std::min(height_of(around, one), height_of(around, other)) <= 2 * flat;
+  }
+
   // Whether every corner of a triangle lies on the line of the opposite side.
   [[nodiscard]] bool is_edge_on(int triangle, double reach) const {
     const std::array<int, 3> c = around.corners(triangle);
@@ -250,7 +259,7 @@ struct EdgeJudge {
     if (one.covered || two.covered) return border == EdgeKind::crease ? if_wanted(EdgeKind::crease) : std::nullopt;
     if (!one.triangle || !two.triangle) return if_wanted(EdgeKind::boundary);
     const Pair pair = pair_at(ends, *one.triangle, *two.triangle);
-    if (options.contour && is_contour(ends, pair)) return EdgeKind::contour;
+    if (options.contour && is_contour(ends, pair) && !are_of_plane_with_needle(first, second)) return EdgeKind::contour;
     // A polygon of the file is one face, so its diagonals are not drawn.
     if (edge.diagonal) return std::nullopt;
     if (part != nullptr) return border && if_wanted(*border) ? border : if_wanted(EdgeKind::smooth);

@@ -118,6 +118,20 @@ TEST(Needles, FoldedBackInARecognisedFaceAreNoLines) {
   }
 }
 
+// Upright or folded over, as high as wide: neither how wide they are nor how they are turned tells what they are.
+TEST(Needles, AsFarOffTheFaceAsTheyAreWideAreNoLines) {
+  for (const projection::Projection& view : {orthographic({1, -1, 1}), orthographic({0.3, 0.5, 2}), from_above()}) {
+    const Kinds plain = kinds(block(), view);
+    for (const double off : {-1e-5, -1e-6, 1e-7, 1e-5})
+      for (const double over : {0.0, 1e-7, 1e-6, 1e-5}) {
+        Shape shape = block();
+        Planter planter(shape, 1);
+        for (int needle = 0; needle < 8; ++needle) planter.plant(over, off);
+        EXPECT_EQ(kinds(shape, view), plain) << "off " << off << ", over " << over;
+      }
+  }
+}
+
 // What stands farther off the face than its corners may is a fin.
 TEST(Needles, ThatStandOffTheFaceHaveContours) {
   Shape shape = block();
