@@ -559,7 +559,7 @@ DrawnScene draw_within_error(const scene::SceneDescription& scene, const RunOpti
   constexpr double finer = 4;  // each time
   expect_certain(*options.max_error, reading_of(scene, options, *options.max_error).options.relative_tolerance);
   std::optional<TooFar> last, best;
-  for (double facets = usual_facets;; facets /= finer) {
+  for (double facets = usual_facets;;) {
     HeldMessages held;
     const Messages messages = held.messages();
     try {
@@ -568,10 +568,12 @@ DrawnScene draw_within_error(const scene::SceneDescription& scene, const RunOpti
       return drawn;
     } catch (const TooFar& attempt) {
       if (!best || attempt.least < best->least) best = attempt;
-      if (!may_be_finer(attempt, last, finer)) {
+      const double factor = finer_by(attempt, last, finer);
+      if (factor == 1) {
         held.tell(context.messages);
         refuse(*options.max_error, *best);
       }
+      facets /= factor;
       last = attempt;
     } catch (const Error&) {
       held.tell(context.messages);

@@ -58,12 +58,13 @@ void expect_within(double max_error, bool has_arcs, std::span<const report::View
   throw attempt;
 }
 
-bool may_be_finer(const TooFar& attempt, const std::optional<TooFar>& last, double factor) {
+double finer_by(const TooFar& attempt, const std::optional<TooFar>& last, double factor) {
   constexpr double most_triangles = 250'000;
   constexpr double least_gain = 0.9;  // above, what is off is not off by facets
+  if (!attempt.facets.is_imported || (last && attempt.least > least_gain * last->least)) return 1;
   const double growth = last ? attempt.facets.triangles / last->facets.triangles : factor;
-  return attempt.facets.is_imported && growth * attempt.facets.triangles <= most_triangles &&
-         (!last || attempt.least <= least_gain * last->least);
+  if (growth * attempt.facets.triangles <= most_triangles) return factor;
+  return std::sqrt(growth) * attempt.facets.triangles <= most_triangles ? std::sqrt(factor) : 1;
 }
 
 void refuse(double max_error, const TooFar& best) {

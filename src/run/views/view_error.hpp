@@ -36,9 +36,9 @@ struct TooFar {
 /// Throws TooFar if a view is farther off than --max-error.
 void expect_within(double max_error, bool has_arcs, std::span<const report::ViewError> errors, const Facets& facets);
 
-/// Whether facets that are finer by a factor may keep --max-error, and are made in about a minute. From facets as
-/// coarse as is usual on, their number grows as it did at the last step.
-bool may_be_finer(const TooFar& attempt, const std::optional<TooFar>& last, double factor);
+/// By what facets should be finer to keep --max-error and still be made in about a minute: by a factor, or by its root,
+/// or by no more than 1. From facets as coarse as is usual on, their number grows as it did at the last step.
+double finer_by(const TooFar& attempt, const std::optional<TooFar>& last, double factor);
 
 /// Refuses --max-error, and names the value that the best attempt keeps. Throws Error{input}.
 [[noreturn]] void refuse(double max_error, const TooFar& best);
