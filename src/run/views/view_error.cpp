@@ -2,6 +2,7 @@
 #include "views/view_error.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "accuracy/view_error.hpp"
