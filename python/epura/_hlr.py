@@ -7,7 +7,7 @@ import ctypes as c
 import functools
 import math
 from pathlib import Path
-from typing import Any, Dict, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
@@ -177,13 +177,17 @@ def _number_of(kinds: Sequence[str]) -> int:
     return sum(_KINDS[kind] for kind in set(kinds))
 
 
+def _pair(numbers: Any) -> Tuple[float, float]:
+    return numbers[0], numbers[1]
+
+
 def _curves(library: c.CDLL, drawing: c.c_void_p) -> Curves:
     result = library.epura_hlr_result_of(drawing).contents
     points = np.ctypeslib.as_array(result.points, (result.point_count, 2)).copy() if result.point_count else np.empty((0, 2))
     curves = []
     for i in range(result.curve_count):
         curve = _Curve.from_address(result.curves + i * result.curve_size)
-        arc = EdgeArc(tuple(curve.centre), tuple(curve.u), tuple(curve.v), curve.start, curve.end) if curve.type else None
+        arc = EdgeArc(_pair(curve.centre), _pair(curve.u), _pair(curve.v), curve.start, curve.end) if curve.type else None
         curves.append(Curve(points[curve.first:curve.first + curve.count], _NAMES[curve.kind], bool(curve.visible), arc))
     return Curves(curves, np.array(result.matrix).reshape(4, 4))
 
