@@ -87,13 +87,14 @@ double Surroundings::cost_of_leader(const LeaderLine& leader) const {
 }
 
 double Surroundings::cost(const PlacedDimension& dimension, double max) const {
+  // Above `max` whatever the rounding: all but the ink is a sum of whole numbers, and a tie is computed to its end.
   double cost = 0;
   // Rows have hundreds of boxes, and in a crowd each meets hundreds of others.
   const auto add_all = [&](const std::vector<TurnedBox>& boxes, const auto& add) {
-    for (auto box = boxes.begin(); box != boxes.end() && cost < max; ++box) add(*box);
+    for (auto box = boxes.begin(); box != boxes.end() && cost <= max; ++box) add(*box);
   };
   const auto add_overlaps = [&](double each, const BoxIndex& index, const TurnedBox& box) {
-    if (cost < max) cost += each * index.overlaps(box, (max - cost) / each);
+    if (cost <= max) cost += each * index.overlaps(box, (max - cost) / each);
   };
   add_all(dimension.text_boxes, [&](const TurnedBox& text) { add_overlaps(cost_of_text, lines_, text); });
   add_all(dimension.zones, [&](const TurnedBox& zone) {
@@ -109,7 +110,7 @@ double Surroundings::cost(const PlacedDimension& dimension, double max) const {
     add_overlaps(cost_of_other, others_, line);
     add_overlaps(cost_of_crossing, zones_, line);
   });
-  for (const LeaderLine& leader : dimension.leaders) cost += cost < max ? cost_of_leader(leader) : 0;
+  for (const LeaderLine& leader : dimension.leaders) cost += cost <= max ? cost_of_leader(leader) : 0;
   add_all(dimension.text_boxes, [&](const TurnedBox& text) { cost += ink_.in(text) > 0 ? cost_of_text : 0; });
   add_all(dimension.lines, [&](const TurnedBox& line) { cost += cost_of_ink * ink_.in(line); });
   check(cost >= 0, "nothing is better than free paper");
