@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "sheet/dimensions/costs.hpp"
+
 namespace epura::test::surroundings_test {
 namespace {
 

@@ -106,7 +106,7 @@ double Surroundings::cost(const PlacedDimension& dimension, double max) const {
     add_overlaps(cost_of_zone, views_, line);
     add_overlaps(cost_of_text, texts_, line);
     add_overlaps(cost_of_letter, letters_, line);
-    if (cost < max) cost += cost_of_letter * lines_.beside(line, on_line, nearest_lines).near;
+    if (cost <= max) cost += cost_of_letter * lines_.beside(line, on_line, nearest_lines).near;
     add_overlaps(cost_of_other, others_, line);
     add_overlaps(cost_of_crossing, zones_, line);
   });
