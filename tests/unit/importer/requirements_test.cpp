@@ -42,6 +42,30 @@ const ModelRequirement& named(const ReadModel& model, const std::string& id) {
 const std::string width = step_aspect(1000, left_face) + step_aspect(1002, right_face) +
                           "#1004=DIMENSIONAL_LOCATION('linear distance','',#1000,#1002);\n";
 
+// A line of 30 along x beside the solid.
+std::string straightness_of_line(const std::string& from) {
+  return step_aspect(1000, 1301) + step_length(1002, "0.05", "") +
+         "#1003=STRAIGHTNESS_TOLERANCE('','',#1002,#1000);\n#1300=GEOMETRIC_CURVE_SET('',(#1301));\n"
+         "#1301=TRIMMED_CURVE('',#1302,(PARAMETER_VALUE(0.)),(PARAMETER_VALUE(1.)),.T.,.PARAMETER.);\n"
+         "#1302=LINE('',#1303,#1304);\n#1303=CARTESIAN_POINT('',(" +
+         from +
+         "));\n#1304=VECTOR('',#1305,30.);\n#1305=DIRECTION('',(1.,0.,0.));\n"
+         "#1310=SHAPE_REPRESENTATION('',(#1300),#30);\n#1311=SHAPE_REPRESENTATION_RELATIONSHIP('','',#50,#1310);\n";
+}
+
+// One on an edge lies on two faces, one that ends in the air on none.
+TEST(Requirements, ALineOnAFaceIsOneOfItsElements) {
+  const ReadModel on_top = read(straightness_of_line("5.,10.,20."));
+  ASSERT_EQ(on_top.requirements.size(), 1U);
+  EXPECT_EQ(normals(on_top, on_top.requirements.front()), "+z");
+  EXPECT_EQ(on_top.requirements.front().missing, "");
+  for (const char* from : {"5.,0.,20.", "15.,10.,20.", "5.,10.,25."}) {
+    const ReadModel lost = read(straightness_of_line(from));
+    EXPECT_TRUE(lost.requirements.front().faces.empty()) << from;
+    EXPECT_EQ(lost.requirements.front().missing, "1 item without a face") << from;
+  }
+}
+
 TEST(Requirements, ADimensionHasItsDeviationsAndDigits) {
   const ReadModel model =
       read(width + step_length(1010, "40.", "nominal value", "QUALIFIED_REPRESENTATION_ITEM((#1011))") +
