@@ -296,14 +296,6 @@ sheet::Neighbours in_the_way(sheet::Neighbours around, const SheetInput& input, 
   return neighbours;
 }
 
-// Dimensions without room, without anything to measure, and without time.
-std::vector<std::size_t> numbers_undrawn(const sheet::PlacedLayer& placed, std::size_t count) {
-  std::vector<std::size_t> numbers = placed.unseen;
-  for (const std::size_t number : placed.left_out) numbers.push_back(number);
-  for (std::size_t number = placed.count; number < count; ++number) numbers.push_back(number);
-  return numbers;
-}
-
 void tell_left_out(AnnotationLayers& result, const sheet::PlacedLayer& placed, std::size_t count,
                    const std::string& view) {
   if (placed.left_out.empty()) return;
@@ -354,7 +346,7 @@ std::vector<sheet::Callout> add_dimensions(AnnotationLayers& result, sheet::Neig
   result.fans += placed.fans;
   for (const std::size_t number : placed.left_out) result.left_out[of.view].push_back(wanted.numbers[number]);
   for (const std::size_t number : placed.unseen) result.unseen[of.view].push_back(wanted.numbers[number]);
-  for (const std::size_t number : numbers_undrawn(placed, wanted.dimensions.size()))
+  for (const std::size_t number : placed.undrawn(wanted.dimensions.size()))
     result.unplaced.push_back(wanted.dimensions[number].requirement);
   for (const auto& [number, box] : placed.places)
     result.places.push_back({wanted.dimensions[number].requirement, of.view, box});

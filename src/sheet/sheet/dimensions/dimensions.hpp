@@ -43,6 +43,14 @@ struct PlacedLayer {
   std::vector<std::string> crossings{};  ///< a sentence for each dimension that something crosses
   /// Ends of the dimension lines that have a name; arrows are numbers of areas of the layer.
   std::map<std::string, std::vector<DimensionEnd>> ends{};
+
+  /// Numbers of those of `wanted` dimensions that are not drawn: unseen, without room, or without time.
+  [[nodiscard]] std::vector<std::size_t> undrawn(std::size_t wanted) const {
+    std::vector<std::size_t> numbers = unseen;
+    numbers.insert(numbers.end(), left_out.begin(), left_out.end());
+    for (std::size_t number = count; number < wanted; ++number) numbers.push_back(number);
+    return numbers;
+  }
 };
 
 /// The same as dimension_layer, with what lint reports.
