@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "features/tolerances.hpp"
@@ -38,11 +39,41 @@ std::map<std::array<int, 2>, Box> boxes_of_bodies(const world::World& world) {
   return boxes;
 }
 
-// A level where a part within the assembly begins: its size is for its own drawing.
-void add_levels(std::vector<LevelFeature>& levels, const Box& part, const Box& whole) {
+/// A line in the middle of a part, along an axis of the world.
+struct MiddleAxis {
+  int along;
+  Vec3 point;
+};
+
+// Of a part that is round or has a bore in its middle, as bolts, nuts and rods.
+std::optional<MiddleAxis> middle_axis(const Box& part, const PartFeatures& all) {
+  const auto is_middle = [&](const Vec3& point, const Vec3& axis, double radius) {
+    const int along = axis_along(axis);
+    const double slack = off_axis * radius;
+    bool is_it = along >= 0;
+    for (int across = 0; across < 3 && is_it; ++across) {
+      const double from = part.min[across], width = part.size()[across];
+      is_it = across == along ? point[across] >= from - slack && point[across] <= from + width + slack
+                              : std::abs(point[across] - from - width / 2) <= slack && 6 * radius >= width &&
+                                    2 * radius <= width + 2 * slack;
+    }
+    return is_it;
+  };
+  for (const CylinderFeature& one : all.cylinders)
+    if (is_middle((one.from + one.to) / 2.0, one.axis, one.radius)) return MiddleAxis{axis_along(one.axis), one.from};
+  for (const HoleFeature& hole : all.holes)
+    if (is_middle(hole.mouth, hole.axis, hole.diameter / 2)) return MiddleAxis{axis_along(hole.axis), hole.mouth};
+  return std::nullopt;
+}
+
+// A level where a part within the assembly begins, or across its middle axis, where that is: its size is for its own
+// drawing.
+void add_levels(std::vector<LevelFeature>& levels, const Box& part, const Box& whole,
+                const std::optional<MiddleAxis>& middle) {
   const double slack = 1e-6 * glm::length(whole.size());
   for (int axis = 0; axis < 3; ++axis) {
-    const double at = part.min[axis];
+    const bool is_across = middle && middle->along != axis;
+    const double at = is_across ? middle->point[axis] : part.min[axis];
     const auto is_there = [&](const LevelFeature& level) {
       return level.axis == axis && std::abs(level.at - at) <= slack;
     };
@@ -51,7 +82,13 @@ void add_levels(std::vector<LevelFeature>& levels, const Box& part, const Box& w
     if (level == levels.end()) level = levels.insert(levels.end(), {axis, at, 0, {}});
     const Vec3 size = part.size();
     level->area += size[(axis + 1) % 3] * size[(axis + 2) % 3];
-    for (int corner = 0; corner < 4; ++corner) {
+    for (const double end :
+         is_across ? std::vector{part.min[middle->along], part.max[middle->along]} : std::vector<double>()) {
+      Vec3 point = middle->point;
+      point[middle->along] = end;
+      level->points.push_back(point);
+    }
+    for (int corner = 0; corner < 4 && !is_across; ++corner) {
       Vec3 point = part.min;
       if ((corner & 1) != 0) point[(axis + 1) % 3] = part.max[(axis + 1) % 3];
       if ((corner & 2) != 0) point[(axis + 2) % 3] = part.max[(axis + 2) % 3];
@@ -94,7 +131,8 @@ PartFeatures assembly_features(const world::World& world, const PartFeatures& al
   Box whole;
   for (const auto& [number, box] : boxes) whole = {glm::min(whole.min, box.min), glm::max(whole.max, box.max)};
   for (const auto& [number, box] : boxes)
-    if (glm::length(box.size()) >= min_part * glm::length(whole.size())) add_levels(features.levels, box, whole);
+    if (glm::length(box.size()) >= min_part * glm::length(whole.size()))
+      add_levels(features.levels, box, whole, middle_axis(box, all));
   std::stable_sort(features.levels.begin(), features.levels.end(), [](const LevelFeature& a, const LevelFeature& b) {
     return std::pair(a.axis, a.at) < std::pair(b.axis, b.at);
   });

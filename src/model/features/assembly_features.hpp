@@ -10,9 +10,9 @@ namespace epura::features {
 /// Whether there are several models, or a file with several bodies that are closed or have names.
 bool is_assembly(const world::World& world);
 
-/// Of the features of an assembly, holes in which no other part is; and where its parts begin as levels (on the left,
-/// in front, below), without parts smaller than a hundredth of its size. The features of its parts are for their own
-/// drawings.
+/// Of the features of an assembly, holes in which no other part is; and as levels where its parts begin (on the left,
+/// in front, below) or, of round parts and those with a bore in the middle, where their axes are, without parts smaller
+/// than a hundredth of its size. The features of its parts are for their own drawings.
 PartFeatures assembly_features(const world::World& world, const PartFeatures& all);
 
 /// The features that a drawing of the world gives sizes for. Throws OutOfTime.

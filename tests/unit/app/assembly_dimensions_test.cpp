@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 #include "drawn_texts.hpp"
@@ -39,6 +41,37 @@ TEST(AssemblyDimensions, AreOverallSizesAndPlacesOfParts) {
     EXPECT_EQ(run.code, 0) << run.out << run.err;
   }
   EXPECT_EQ(sorted(dimensions_in(read_file(folder / "x.svg"))), sorted({"40", "20", "26", "12", "5", "10"}));
+}
+
+// An upright pin of 48 sides, as a closed body.
+std::string pin(const Vec3& foot, double radius, double height, int first) {
+  constexpr int sides = 48;
+  std::string text, bottom = "f", top = "f";
+  for (int i = 0; i < 2 * sides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / sides;
+    text += "v " + format_number(foot.x + radius * std::cos(angle)) + " " +
+            format_number(foot.y + radius * std::sin(angle)) + " " + format_number(foot.z + (i < sides ? 0 : height)) +
+            "\n";
+  }
+  for (int i = 0; i < sides; ++i) {
+    const int next = (i + 1) % sides;
+    text += "f";
+    for (const int corner : {i, next, sides + next, sides + i}) text += " " + std::to_string(first + corner);
+    text += "\n";
+    bottom += " " + std::to_string(first + sides - 1 - i);
+    top += " " + std::to_string(first + sides + i);
+  }
+  return text + bottom + "\n" + top + "\n";
+}
+
+// Round parts are where their axes are: two pins, of which one is on the other, have one place.
+TEST(AssemblyDimensions, RoundPartsHaveThePlacesOfTheirAxes) {
+  const Folder folder;
+  folder.file("pins.obj", box({0, 0, 0}, {40, 20, 10}, 1) + pin({13, 8, 10}, 4, 5, 9) + pin({13, 8, 15}, 2.5, 9, 105));
+  const Outcome run =
+      epura({"draw", "pins.obj", "--views", "front,top,left", "--dimensions", "auto", "-o", "x.svg"}, folder / "");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(sorted(dimensions_in(read_file(folder / "x.svg"))), sorted({"40", "20", "24", "13", "8", "10", "15"}));
 }
 
 }  // namespace
