@@ -96,9 +96,10 @@ class PictorialPlanner {
 
   std::vector<DimensionDescription> plan() {
     add_sizes();
+    add_cylinders(true);
     if (*wanted_.type == DimensionType::automatic) {
       add_holes();
-      add_cylinders();
+      add_cylinders(false);
       add_arcs();
     }
     return std::move(dimensions_);
@@ -122,7 +123,7 @@ class PictorialPlanner {
       const features::Extent& extent = subject_.extents[axis];
       const bool is_done =
           std::any_of(done.begin(), done.end(), [&](int other) { return subject_.extents[other].is_same_as(extent); });
-      if (is_done || !images.is_seen(axis) || !(extent.size() > 0)) continue;
+      if (is_done || !images.is_seen(axis) || !(extent.size() > 0) || is_of_cylinder(extent)) continue;
       const auto extension = images.extension_of(axis);
       const auto ends = extension ? ends_along(axis, *extension, images, points) : std::nullopt;
       if (!ends) continue;
@@ -149,17 +150,26 @@ class PictorialPlanner {
     }
   }
 
-  void add_cylinders() {
+  // Whether a size is the diameter of a shaft, which stands at its end.
+  [[nodiscard]] bool is_of_cylinder(const features::Extent& extent) const {
+    const auto& cylinders = subject_.features.cylinders;
+    return std::any_of(cylinders.begin(), cylinders.end(),
+                       [&](const features::CylinderFeature& one) { return !one.inwards && is_diameter(extent, one); });
+  }
+  [[nodiscard]] bool is_diameter(const features::Extent& extent, const features::CylinderFeature& cylinder) const {
+    return extent.form == features::ExtentForm::diameter &&
+           are_written_alike(extent.size(), 2 * cylinder.radius, notation_);
+  }
+
+  // Those with the diameters of the whole, or the others.
+  void add_cylinders(bool overall) {
     const auto equal = [&](const features::CylinderFeature& a, const features::CylinderFeature& b) {
       return a.inwards == b.inwards && are_written_alike(a.called(), b.called(), notation_);
     };
     for (const auto& group : groups_of<features::CylinderFeature>(subject_.features.cylinders, equal)) {
       const features::CylinderFeature& shown = *group.front();
-      const auto is_overall = [&](const features::Extent& extent) {
-        return extent.form == features::ExtentForm::diameter &&
-               are_written_alike(extent.size(), 2 * shown.radius, notation_);
-      };
-      if (std::any_of(subject_.extents.begin(), subject_.extents.end(), is_overall)) continue;
+      const auto is_its = [&](const features::Extent& extent) { return is_diameter(extent, shown); };
+      if (std::any_of(subject_.extents.begin(), subject_.extents.end(), is_its) != overall) continue;
       const Vec3& n = view_.projection.n;
       const Vec3& end = glm::dot(shown.from, n) > glm::dot(shown.to, n) ? shown.from : shown.to;
       add(DimensionType::diameter, times(group.size()) + name_in_note(shown.thread)).circle = {
