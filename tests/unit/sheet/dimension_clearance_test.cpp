@@ -89,6 +89,25 @@ TEST(DimensionClearance, ANoteStandsAtAnotherEqualCircle) {
   }
 }
 
+// The upper edge of a plate is where the shoulder of the best leader would be.
+TEST(DimensionClearance, ShouldersDoNotRunAlongLines) {
+  for (const double off : {-0.8, -0.4, 0.0, 0.3, 0.5, 0.6, 0.8}) {
+    const double edge = 11 / std::sqrt(2.0) + off;
+    Shape part = box({-30, -30, 0}, {30, edge, 5});
+    part.add(cylinder(48, 3, 5).moved(0, 0, 5));
+    const world::World world = placed(part);
+    const drawing::ViewDrawing above = drawing_of(world, from_above());
+    scene::DimensionDescription note = dimension("diameter", {});
+    note.circle = {Vec3(0, 0, 10), Vec3(0, 0, 1), 3, {}};
+    const sheet::Layer layer = layer_of(world, above, {note});
+    const double line = drawing::position_on_page(above, {0, edge, 5}).y;
+    for (const sheet::Stroke& stroke : layer.strokes) {
+      if (stroke.points.size() != 3) continue;
+      EXPECT_GE(std::abs(stroke.points[2].y - line), 0.9) << off;
+    }
+  }
+}
+
 // The room between a dimension line of another view and the top of its text is that dimension's.
 TEST(DimensionClearance, NoTextIsAmongDimensionsOfAnotherView) {
   const world::World world = placed(box({0, 0, 0}, {60, 10, 40}));

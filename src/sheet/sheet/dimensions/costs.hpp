@@ -11,7 +11,7 @@ inline constexpr double cost_of_text = 300;    ///< a line through a text
 inline constexpr double cost_of_letter = 100;  ///< a line that is interrupted at a letter or too near to a parallel
                                                ///< one, a leader through another
 inline constexpr double cost_of_other = 20;    ///< a line through something else on the sheet, a leader along a line,
-                                               ///< through a hole or to the wrong one
+                                               ///< through a hole or dimension, or to the wrong hole
 inline constexpr double cost_of_crossing = 3;
 inline constexpr double cost_of_ink = 0.3;  ///< a line of the drawing that a leader crosses
 

@@ -496,9 +496,10 @@ std::vector<MeasuredCircle> shown_circles(std::span<const scene::FeatureCircle> 
                                           const drawing::ViewDrawing& drawing, const Notation& notation) {
   std::vector<MeasuredCircle> shown;
   if (drawing.shown.breaks.any() || dimension.offset) return shown;
-  const std::size_t step = 1 + equal.size() / max_in_crowd;  // of very many, some all over the view
-  for (std::size_t i = 0; i < equal.size(); i += step) {
-    dimension.circles = {{equal[i].centre, equal[i].axis, equal[i].radius, equal[i].arc, equal[i].arc.empty()}};
+  const std::size_t count = std::min(equal.size(), max_in_crowd);
+  for (std::size_t i = 0; i < count; ++i) {
+    const scene::FeatureCircle& one = equal[i * equal.size() / count];  // of very many, some all over the view
+    dimension.circles = {{one.centre, one.axis, one.radius, one.arc, one.arc.empty()}};
     const MeasuredDimension there = measure(drawing, dimension, notation);
     const auto* circle = std::get_if<MeasuredCircle>(&there.form);
     if (circle != nullptr && shows_visible(drawing, *circle)) shown.push_back(*circle);

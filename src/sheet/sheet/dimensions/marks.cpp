@@ -169,10 +169,11 @@ void add_leader(PlacedDimension& dimension, const DimensionText& text, const Sho
   dimension.lines.push_back(line_box(tip, elbow));
   dimension.leaders.push_back({tip, elbow});
   set_text(dimension, text, {(elbow + shoulder) * 0.5, {1, 0}, style.above()}, style);
-  // The box includes the shoulder, which no line should meet either.
+  // The box includes the shoulder, which no line should meet or run along.
   TurnedBox& box = dimension.text_boxes.back();
-  box.centre.y -= style.above() / 2;
-  box.half += Vec2(style.above(), style.above() / 2);
+  const double below = style.above() + std::max(0.0, style.gap() / 2 - air * style.text);
+  box.centre.y -= below / 2;
+  box.half += Vec2(style.above(), below / 2);
   dimension.zones.push_back(box);
 }
 

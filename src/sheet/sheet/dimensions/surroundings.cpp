@@ -82,7 +82,8 @@ double Surroundings::cost_of_leader(const LeaderLine& leader) const {
   const TurnedBox line = line_box(leader.tip, leader.elbow);
   const BoxIndex::LinesBeside others = others_.beside(line, on_line, nearest_lines),
                               own = lines_.beside(line, on_line, nearest_lines);
-  return cost_of_other * static_cast<double>(through + others.on_it + others.near + own.on_it) +
+  return cost_of_other * static_cast<double>(through + others.on_it + others.near + own.on_it + zones_.overlaps(line) -
+                                             others_.overlaps(line)) +
          cost_of_letter * leaders_.overlaps(line);
 }
 
