@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <unordered_map>
+#include <utility>
 
 #include "base/vec.hpp"
 
@@ -63,6 +65,16 @@ void drop_spikes(std::vector<int>& ring) {
   ring.assign(kept.begin() + static_cast<std::ptrdiff_t>(first), kept.begin() + static_cast<std::ptrdiff_t>(last));
 }
 
+// A loop that is gone round again bounds nothing more.
+void drop_repeated(std::vector<std::vector<int>>& rings) {
+  if (rings.size() < 2) return;
+  std::set<std::vector<int>> known;
+  std::erase_if(rings, [&](std::vector<int> ring) {
+    std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
+    return !known.insert(std::move(ring)).second;
+  });
+}
+
 }  // namespace
 
 bool repeats_corner(std::span<const int> ring) {
@@ -106,6 +118,7 @@ std::vector<std::vector<int>> simple_rings(std::span<const int> ring, const Poin
   rings.push_back(std::move(open));
   for (auto& found : rings) drop_spikes(found);
   std::erase_if(rings, [](const auto& found) { return found.size() < 3; });
+  drop_repeated(rings);
   return rings;
 }
 

@@ -34,6 +34,12 @@ TEST(SimpleRings, LeaveOutWaysThereAndBack) {
   EXPECT_EQ(rings({0, 1, 8, 1}), Rings{}) << "nothing else";
 }
 
+TEST(SimpleRings, HoldLoopsOnceThatAreGoneRoundAgain) {
+  EXPECT_EQ(rings({0, 1, 2, 3, 0, 1, 2, 3}), (Rings{{0, 1, 2, 3}}));
+  EXPECT_EQ(rings({0, 1, 2, 8, 9, 2, 8, 9, 2, 3}), (Rings{{2, 8, 9}, {0, 1, 2, 3}}));
+  EXPECT_EQ(rings({0, 1, 2, 8, 9, 2, 3, 0, 1, 2, 3}), (Rings{{2, 8, 9}, {0, 1, 2, 3}}));
+}
+
 TEST(SimpleRings, RepeatCorners) {
   EXPECT_TRUE(mesh::repeats_corner(std::vector<int>{0, 1, 2, 1}));
   EXPECT_FALSE(mesh::repeats_corner(std::vector<int>{0, 1, 2, 3}));
