@@ -279,8 +279,8 @@ void doubt_unit(const Messages& messages, const scene::SceneDescription& scene, 
                          : features::guess_unit(features::box_of(model.mesh->whole()), *model.part);
   if (guess && *guess != Unit::mm) {
     const std::string word(scene::word_of(*guess));
-    return messages.warn(name + " has no unit and is drawn in millimetres, but its sizes are round in " + word +
-                         "\n  hint: --unit " + word + ", or --unit mm if they are right");
+    return messages.warn(name + " has no unit and is drawn in millimetres, but its sizes are round in unit '" + word +
+                         "'\n  hint: --unit " + word + ", or --unit mm if they are right");
   }
   const Vec3 size = world.box.max - world.box.min;
   const double largest = std::max({size.x, size.y, size.z});
