@@ -89,6 +89,11 @@ def duct():
     return Part.makeLoft([square, Part.Wire(Part.makeCircle(12, Vector(10, 0, 40)))], True)
 
 
+def around(count, make):
+    """What `make` gives for each of the angles, in radians, that divide a circle evenly."""
+    return [make(2 * math.pi * k / count) for k in range(count)]
+
+
 def plate_of(points, thickness, at=0):
     """The area within a polygon, from the height z = `at` upwards."""
     corners = [Vector(x, y, at) for x, y in points]
@@ -162,5 +167,66 @@ def engraved():
     return plate.cut(groove).cut(Part.makeCompound(holes))
 
 
+def gear():
+    """A spur gear of 14 involute teeth, module 4, with a bore, a keyway and four holes."""
+    teeth, module = 14, 4
+    pitch, root, tip = teeth * module / 2, (teeth / 2 - 1.25) * module, (teeth / 2 + 1) * module
+    base = pitch * math.cos(math.radians(20))
+
+    def roll(radius):
+        """By how much of an angle the involute has moved on where it is that far out."""
+        opened = math.sqrt((radius / base) ** 2 - 1)
+        return opened - math.atan(opened)
+
+    half = math.pi / (2 * teeth) + roll(pitch)  # of the angle of a tooth on its base circle
+    radii = [base + (tip - base) * (k / 8) ** 2 for k in range(9)]
+    flank = [(root, half), *((radius, half - roll(radius)) for radius in radii)]
+    edges = []
+    for middle in around(teeth, lambda angle: angle):
+        at = lambda radius, angle: Vector(radius * math.cos(middle + angle), radius * math.sin(middle + angle), 0)
+        for sign in (1, -1):
+            involute = Part.BSplineCurve()
+            involute.interpolate([at(radius, sign * angle) for radius, angle in flank[1:]])
+            edges += [Part.makeLine(at(root, sign * half), at(base, sign * half)), involute.toShape()]
+        end, next_tooth = flank[-1][1], 2 * math.pi / teeth - half
+        edges += [Part.Arc(at(tip, -end), at(tip, 0), at(tip, end)).toShape(),
+                  Part.Arc(at(root, half), at(root, math.pi / teeth), at(root, next_tooth)).toShape()]
+    wheel = Part.Face(Part.Wire(Part.__sortEdges__(edges))).extrude(Vector(0, 0, 12))
+    holes = around(4, lambda a: cylinder(3, 30, (14 * math.cos(a), 14 * math.sin(a), -5)))
+    return wheel.cut(Part.makeCompound([cylinder(5, 40, (0, 0, -5)), box((7, 3, 40), (0, -1.5, -5)), *holes]))
+
+
+def bottle():
+    """A free-form housing: a loft through four ellipses, hollow from below, with a round port and a long hole in its side."""
+    def loft(less):
+        rings = []
+        for a, b, z in ((30, 20, 0), (34, 16, 20), (24, 22, 40), (12, 11, 60 - less)):
+            ring = Part.Ellipse(Vector(0, 0, 0), max(a, b) - less, min(a, b) - less).toShape()
+            ring.translate(Vector(0, 0, z))
+            rings.append(Part.Wire(ring))
+        return Part.makeLoft(rings, True)
+    return loft(0).cut(loft(3)).cut(Part.makeCompound([cylinder(5, 30, (0, -40, 24), Y), cylinder(4, 60, (0, 0, 30))]))
+
+
+def knob():
+    """A knob with the points of a straight knurl: grooves along its axis and around it, and a blind bore."""
+    grip = cylinder(15, 20).fuse(cylinder(8, 30)).removeSplitter()
+    at = lambda radius, angle: (radius * math.cos(angle), radius * math.sin(angle))
+    along = around(16, lambda a: plate_of([at(13.6, a), at(16, a - 0.13), at(16, a + 0.13)], 30, -5))
+    rings = [Part.Face(Part.makePolygon([Vector(x, 0, z + h) for x, h in ((14, 0), (16, -1), (16, 1), (14, 0))])).revolve(Vector(0, 0, 0), Z, 360)
+             for z in (5, 10, 15)]
+    return grip.cut(Part.makeCompound(along)).cut(Part.makeCompound(rings)).cut(cylinder(4, 18, (0, 0, -1)))
+
+
+def dome():
+    """A thin half ball with a rim, and holes from its middle outwards and along its axis."""
+    ball = Part.makeSphere(30).cut(Part.makeSphere(27)).common(box((80, 80, 40), (-40, -40, 0)))
+    rim = cylinder(38, 4).cut(cylinder(28, 10, (0, 0, -2)))
+    slanted = around(6, lambda a: Part.makeCylinder(4, 60, Vector(0, 0, 0), Vector(math.cos(a), math.sin(a), 1)))
+    straight = around(8, lambda a: cylinder(2, 20, (34 * math.cos(a), 34 * math.sin(a), -5)))
+    return ball.fuse(rim).cut(Part.makeCompound([*slanted, *straight, cylinder(5, 40)])).removeSplitter()
+
+
 MADE = {part.__name__: part for part in (
-    bracket, flange, shaft, tee, rounded, housing, cone, link, elbow, duct, stud, sheet, casting, clamp, engraved)}
+    bracket, flange, shaft, tee, rounded, housing, cone, link, elbow, duct, stud, sheet, casting, clamp, engraved,
+    gear, bottle, knob, dome)}
