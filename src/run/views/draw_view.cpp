@@ -544,10 +544,9 @@ std::optional<report::Verification> ViewRun::verified(const DrawnLines& lines,
   Progress progress = until;
   progress.begin("verifying");
   const view::PaperMap paper = view::make_paper_map(view_, input_.place.scale, input_.place.shift);
-  const bool are_moved = drawn_.moved > 0 || options_.least_crease > 0;
   std::optional<edges::FeatureEdges> in_mesh;
   std::optional<drawing::ViewDrawing> mesh_lines;
-  if (are_moved) {
+  if (drawn_.moved > 0 || options_.least_crease > 0) {
     in_mesh = drawn_;
     in_mesh->moved = 0;
     for (edges::FeatureEdge& edge : in_mesh->edges) edge.shown = {-1, -1};
