@@ -26,7 +26,7 @@ TEST(Surroundings, TiesAreComputedToTheirEnd) {
     neighbours.boxes.push_back(sheet::turned_box({{x, 0}, {x + 1, 2}}));
     neighbours.views.push_back(sheet::turned_box({{x, 0}, {x + 1, 2}}));
   }
-  const drawing::ViewDrawing nothing;
+  const drawing::ViewDrawing nothing{};
   const sheet::Surroundings surroundings(nothing, neighbours);
   const sheet::PlacedDimension one = across({1}), two = across({1, 1.5});
   const double cost = surroundings.cost(one, HUGE_VAL);
