@@ -136,22 +136,26 @@ Option<Part> parsed_option(OptionInfo info, std::function<void(Part&, const Toml
   return {std::move(info), std::move(read)};
 }
 
+void read_zone(ToleranceFrame& frame, const TomlValue& value) {
+  frame.zone = parse_zone(read_text(value), value.where);
+}
+
+void read_datums(ToleranceFrame& frame, const TomlValue& value) {
+  for (const LocatedText& datum : each_word(value))
+    frame.datums.push_back(parse_datum(*datum, datum.where, frame.letters));
+}
+
 // What stands in one tolerance frame.
 Options<ToleranceFrame> frame_options() {
   using Frame = ToleranceFrame;
-  const auto read_datums = [](Frame& frame, const TomlValue& value) {
-    for (const LocatedText& datum : each_word(value))
-      frame.datums.push_back(parse_datum(*datum, datum.where, frame.letters));
-  };
   return {
       option<Frame>({.key = "characteristic", .help = "what is tolerated", .required = true}, &Frame::characteristic,
                     choice<Characteristic>()),
-      parsed_option<Frame>(
-          {.key = "zone",
-           .help = "width of the tolerance zone, `0.1`, or its diameter, `Ø0.1`, in the unit of "
-                   "dimensions; then modifiers, `Ø0.1 M`",
-           .required = true},
-          [](Frame& frame, const TomlValue& value) { frame.zone = parse_zone(read_text(value), value.where); }),
+      parsed_option<Frame>({.key = "zone",
+                            .help = "width of the tolerance zone, `0.1`, or its diameter, `Ø0.1`, in the unit of "
+                                    "dimensions; then modifiers, `Ø0.1 M`",
+                            .required = true},
+                           read_zone),
       parsed_option<Frame>({.key = "datums",
                             .help = "letters of the datums in their order, as texts with commas or a list, `A, B M`; "
                                     "`A-B` is a common datum"},
@@ -263,6 +267,42 @@ Options<CalloutWords> texture_options() {
                             in_content(&SurfaceTexture::process), any_text()),
        target_option("the surface; without it, the symbol is for the whole part and beside the title block", false),
        end_option(), sheet_option()});
+}
+
+Options<RequirementWords> requirement_options() {
+  using Words = RequirementWords;
+  using Description = RequirementDescription;
+  const auto in_frame = [](void (*read)(ToleranceFrame&, const TomlValue&)) {
+    return [read](Words& words, const TomlValue& value) { read(words.description.frame, value); };
+  };
+  const auto read_letter = [](Words& words, const TomlValue& value) {
+    const std::string letter = read_text(value);
+    expect_datum_letter(letter, value.where);
+    words.description.letter = {letter, value.where};
+  };
+  return {
+      option<Words>({.key = "type",
+                     .help = "`diameter`, `radius`, `linear distance`, `angle`, `datum`, or what is tolerated, as in "
+                             "`[[tolerance_frame]]`: `flatness`, `position`",
+                     .required = true},
+                    in_description(&Description::type), any_text()),
+      option<Words>({.key = "feature", .help = "whose faces it is about, `hole 3` or `face 12`", .required = true},
+                    &Words::feature, anchor()),
+      option<Words>({.key = "to", .help = "feature at the other end of a length or angle"}, &Words::to, anchor()),
+      option<Words>({.key = "value",
+                     .help = "of a dimension, in the unit of dimensions or in degrees, with its decimals: `8.00`",
+                     .usual = "that of the model"},
+                    in_description(&Description::value), any_text()),
+      option<Words>({.key = "tolerance", .help = "of a dimension: `±0.1`, `+0.2 -0.1`, `H7`"},
+                    in_description(&Description::tolerance), any_text()),
+      parsed_option<Words>({.key = "zone", .help = "of a geometrical tolerance: `0.1`, `Ø0.1 M`"}, in_frame(read_zone)),
+      parsed_option<Words>({.key = "datums", .help = "letters of its datums in their order: `A, B M`"},
+                           in_frame(read_datums)),
+      parsed_option<Words>({.key = "letter", .help = "of a datum"}, read_letter),
+      option<Words>(
+          {.key = "name", .help = "its id in the ledger", .usual = "`requirement 3`, by its place in the file"},
+          in_description(&Description::name), any_text()),
+  };
 }
 
 }  // namespace epura::scene

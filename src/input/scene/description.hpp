@@ -206,6 +206,19 @@ struct ThreadDescription {
   LocatedText view{};       ///< name of the view with that; by default the one that shows it best
 };
 
+/// What is required of faces of a model, as model files state it.
+struct RequirementDescription {
+  std::string where{};             ///< for errors
+  LocatedText name{};              ///< its id in the ledger; by default "requirement 3", by its place in the scene
+  LocatedText type{};              ///< "diameter", "linear distance", "flatness", "datum"
+  Located<FeatureName> feature{};  ///< that it is about
+  Located<FeatureName> to{};       ///< the other end of a length or angle
+  LocatedText value{};             ///< of a dimension, with its decimals: "8.00"; by default that of the model
+  LocatedText tolerance{};         ///< of a dimension: "±0.1", "+0.2 -0.1", "H7"
+  ToleranceFrame frame{};          ///< zone and datums of a geometrical tolerance
+  LocatedText letter{};            ///< of a datum
+};
+
 template <>
 struct Words<SheetCorner> {
   static constexpr std::array list{"top-left", "top-right", "bottom-left", "bottom-right"};
@@ -278,6 +291,7 @@ struct SceneDescription {
   std::vector<DimensionDescription> dimensions;
   std::vector<ThreadDescription> threads{};
   std::vector<CalloutDescription> callouts{};  ///< in the order of the scene
+  std::vector<RequirementDescription> requirements{};
   std::vector<TableDescription> tables{};
   std::vector<RevisionDescription> revisions{};
   std::vector<SheetDescription> sheets;  ///< one default sheet if a scene file has none

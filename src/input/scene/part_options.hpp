@@ -28,6 +28,12 @@ struct CalloutWords {
   Located<LeaderWords> to;
 };
 
+/// A requirement, with the models of its features not yet resolved.
+struct RequirementWords {
+  RequirementDescription description;
+  Located<AnchorWords> feature, to;
+};
+
 /// Returns a function that finds a member of the description in parsed words.
 template <class Member>
 auto in_description(Member member) {
@@ -49,6 +55,7 @@ Options<CalloutWords> note_options();
 Options<CalloutWords> tolerance_frame_options();
 Options<CalloutWords> datum_options();
 Options<CalloutWords> texture_options();
+Options<RequirementWords> requirement_options();
 Options<TableDescription> table_options();
 Options<RevisionDescription> revision_options();
 Options<PartsListDescription> parts_list_options();

@@ -192,6 +192,53 @@ ThreadDescription thread_of(const ThreadWords& words, const Subjects& subjects) 
   return thread;
 }
 
+Located<FeatureName> feature_of(const Located<AnchorWords>& words) {
+  if (!words.given()) return {};
+  if (words->feature.text.empty())
+    refuse_input(words.where, "a requirement is about a feature, not a point",
+                 "write \"hole 3\" or \"face 12\": epura info and epura new-scene number them");
+  return {words->feature, words.where};
+}
+
+/// What a requirement of a type says, and must say.
+struct RequirementRule {
+  std::string_view key;
+  bool is_given, may_be_given, is_needed;
+};
+
+RequirementDescription requirement_of(const RequirementWords& words) {
+  RequirementDescription one = words.description;
+  one.feature = feature_of(words.feature);
+  one.to = feature_of(words.to);
+  const std::string& type = *one.type;
+  const bool is_datum = type == "datum", is_between = type == "linear distance" || type == "angle";
+  const bool is_dimension = is_between || type == "diameter" || type == "radius";
+  const auto row = std::find_if(characteristics.begin(), characteristics.end(),
+                                [&type](const CharacteristicRow& known) { return known.name == type; });
+  const bool is_tolerance = row != characteristics.end();
+  if (!is_datum && !is_dimension && !is_tolerance) {
+    std::vector<std::string> known{"diameter", "radius", "linear distance", "angle", "datum"};
+    for (const CharacteristicRow& other : characteristics) known.emplace_back(other.name);
+    refuse_input(one.type.where, "there is no type of requirement '" + type + "'", did_you_mean(type, known));
+  }
+  if (is_tolerance) one.frame.characteristic = row->characteristic;
+  const bool has_datums = !one.frame.datums.empty();
+  for (const auto& [key, is_given, may_be_given, is_needed] :
+       {RequirementRule{"to", one.to.given(), is_between, is_between},
+        {"value", one.value.given(), is_dimension, false},
+        {"tolerance", one.tolerance.given(), is_dimension, false},
+        {"zone", !one.frame.zone.empty(), is_tolerance, is_tolerance},
+        {"datums", has_datums, is_tolerance && row->datums != DatumRule::none,
+         is_tolerance && row->datums == DatumRule::required},
+        {"letter", one.letter.given(), is_datum, is_datum}})
+    if (is_given ? !may_be_given : is_needed)
+      refuse_input(
+          one.where,
+          "a requirement of type '" + type + "' " + (is_given ? "has no '" : "lacks '") + std::string(key) + "'",
+          is_given ? "omit it" : "docs/formats.md says what it is");
+  return one;
+}
+
 // ISO 1101, table 2.
 void expect_datums(const CalloutDescription& callout, const ToleranceFrame* frame) {
   if (frame == nullptr) return;
@@ -306,6 +353,8 @@ SceneDescription scene_of(const TomlValue& root) {
   for (const ThreadWords& thread : words.threads) scene.threads.push_back(thread_of(thread, subjects));
   for (const TableDescription& table : scene.tables) expect_cells(table);
   for (const CalloutWords& callout : words.callouts) scene.callouts.push_back(callout_of(callout, subjects));
+  for (const RequirementWords& requirement : words.requirements)
+    scene.requirements.push_back(requirement_of(requirement));
   if (scene.parts_list && !subjects.views.empty()) refuse_unknown(scene.parts_list->view, subjects.views, "view");
   return scene;
 }

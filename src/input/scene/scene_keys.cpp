@@ -68,6 +68,9 @@ void prepare(const SceneWords&, const TomlValue& table, DimensionWords& words) {
   words.description.where = table.where;
 }
 void prepare(const SceneWords&, const TomlValue& table, ThreadWords& words) { words.description.where = table.where; }
+void prepare(const SceneWords&, const TomlValue& table, RequirementWords& words) {
+  words.description.where = table.where;
+}
 void prepare(const SceneWords&, const TomlValue& where, TableDescription& table) { table.where = where.where; }
 void prepare(const SceneWords&, const TomlValue& table, ViewDescription& view) { view.projection.where = table.where; }
 void prepare(const SceneWords&, const TomlValue& table, ExplodeDescription& explode) { explode.where = table.where; }
@@ -147,6 +150,7 @@ Options<SceneWords> scene_keys() {
       callouts_key<ToleranceFrame>("tolerance_frame", tolerance_frame_options()),
       callouts_key<DatumFeature>("datum", datum_options()),
       callouts_key<SurfaceTexture>("surface_texture", texture_options()),
+      parts_key("requirement", requirement_options(), std::mem_fn(&SceneWords::requirements)),
       parts_key("table", table_options(), in_description(&SceneDescription::tables)),
       parts_key("revision", revision_options(), in_description(&SceneDescription::revisions)),
       table_option<SceneWords>("parts_list", "", read_parts_list),
@@ -196,6 +200,7 @@ std::vector<SceneSection> scene_sections() {
       {"tolerance_frame", infos_of(tolerance_frame_options()), true},
       {"datum", infos_of(datum_options()), true},
       {"surface_texture", infos_of(texture_options()), true},
+      {"requirement", infos_of(requirement_options()), true},
       {"table", infos_of(table_options()), true},
       {"revision", infos_of(revision_options()), true},
       {"parts_list", infos_of(parts_list_options()), false},

@@ -17,6 +17,7 @@ struct SceneWords {
   std::vector<DimensionWords> dimensions;
   std::vector<ThreadWords> threads;
   std::vector<CalloutWords> callouts;
+  std::vector<RequirementWords> requirements;
   SheetDescription every_sheet;
 };
 

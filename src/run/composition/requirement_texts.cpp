@@ -8,9 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "composition/requirement_words.hpp"
 #include "scene/choices.hpp"
+#include "sheet/dimensions/tolerance.hpp"
 
 namespace epura::pipeline {
 
@@ -178,7 +180,89 @@ std::string write_datum(scene::ToleranceFrame& frame, std::string_view text) {
   return "";
 }
 
+// The other way round.
+
+template <std::size_t count>
+std::string word_of(const std::array<Sign, count>& signs, std::string_view sign) {
+  const auto found = std::find_if(signs.begin(), signs.end(), [&](const Sign& one) { return one.sign == sign; });
+  return found == signs.end() ? std::string() : std::string(found->word);
+}
+
+void read_number(ModelRequirement& one, std::string_view text, const std::string& where) {
+  const auto number = parse_number(text);
+  if (!number || !std::isfinite(*number) || *number < 0)
+    refuse_input(where, "'" + std::string(text) + "' is not a value", "write a number with its decimals: 8.00");
+  const std::size_t point = std::min(text.find('.'), text.size() - 1);
+  one.value = *number * one.unit;
+  one.decimals = std::min(static_cast<int>(text.size() - point - 1), importer::max_decimals);
+}
+
+void read_tolerance(ModelRequirement& one, const scene::LocatedText& text) {
+  const sheet::Tolerance tolerance = sheet::parse_tolerance(*text, text.where);
+  if (tolerance.deviations) {
+    if (std::isnan(one.value))
+      refuse_input(text.where, "deviations need the value from which they are",
+                   "write it with its decimals: value = \"8.00\"");
+    one.bounds = RequirementBounds::deviations;
+    one.lower = tolerance.deviations->lower * one.unit;
+    one.upper = tolerance.deviations->upper * one.unit;
+  } else {
+    one.fit = *text;
+  }
+}
+
+// "⌀0.1 M" as a width, the form of its zone, and modifiers.
+void read_zone(ModelRequirement& one, const scene::FrameCell& zone, const std::string& where) {
+  std::string_view width = zone.front().text;
+  for (const auto& [sign, form] :
+       {std::pair<std::string_view, const char*>{"S⌀", "spherical"}, {"⌀", "cylindrical or circular"}})
+    if (width.starts_with(sign)) {
+      one.zone = form;
+      width.remove_prefix(sign.size());
+    }
+  read_number(one, width, where);
+  for (std::size_t i = 1; i < zone.size(); ++i) {
+    const std::string word =
+        zone[i].circled ? word_of(circled_signs, zone[i].text) : word_of(plain_signs, zone[i].text);
+    if (word.empty())
+      refuse_input(where, "requirements have no modifier '" + zone[i].text + "'", "[[tolerance_frame]] draws it");
+    append_to_list(one.modifiers, word);
+  }
+}
+
+// "B-C (maximum material requirement)"
+std::string datum_in_words(const scene::FrameCell& cell) {
+  std::string modifiers;
+  for (std::size_t i = 1; i < cell.size(); ++i) append_to_list(modifiers, word_of(circled_signs, cell[i].text));
+  return cell.front().text + (modifiers.empty() ? "" : " (" + modifiers + ")");
+}
+
 }  // namespace
+
+importer::ModelRequirement requirement_of(const scene::RequirementDescription& words, Unit unit) {
+  ModelRequirement one{};
+  one.type = *words.type;
+  one.name = words.name.value_or("");
+  one.is_angle = one.type == "angle" ? 1 : 0;
+  one.unit = one.is_angle != 0 ? 1 : scene::millimetres(unit);
+  one.decimals = -1;
+  one.value = one.lower = one.upper = NAN;
+  if (words.letter.given()) {
+    one.kind = importer::RequirementKind::datum;
+    one.datums = *words.letter;
+  } else if (!words.frame.zone.empty()) {
+    one.kind = importer::RequirementKind::tolerance;
+    std::replace(one.type.begin(), one.type.end(), '-', ' ');
+    read_zone(one, words.frame.zone, words.where);
+    for (const scene::FrameCell& cell : words.frame.datums)
+      one.datums += (one.datums.empty() ? "" : " | ") + datum_in_words(cell);
+  } else {
+    one.kind = importer::RequirementKind::dimension;
+    if (words.value.given()) read_number(one, *words.value, words.value.where);
+    if (words.tolerance.given()) read_tolerance(one, words.tolerance);
+  }
+  return one;
+}
 
 std::string write_value(scene::DimensionDescription& dimension, const ModelRequirement& one, Unit unit) {
   const double written = one.value / written_unit(one);

@@ -18,6 +18,10 @@ std::string write_value(scene::DimensionDescription& dimension, const importer::
 /// Writes a geometric tolerance into a frame. Returns the same.
 std::string write_frame(scene::ToleranceFrame& frame, const importer::ModelRequirement& requirement, Unit unit);
 
+/// What a scene states, as a file would, without its id and faces; numbers are in `unit`, that of the sheets, or in
+/// degrees. Throws Error{input} for texts that are no values.
+importer::ModelRequirement requirement_of(const scene::RequirementDescription& words, Unit unit);
+
 /// Adds words to a list that stands above a frame: "4×, between".
 void add_above(scene::ToleranceFrame& frame, const std::string& words);
 

@@ -129,7 +129,7 @@ class Statement {
     set_drawn(i, file_.rows[*other].view);
     if (const auto drawn = drawn_by_.find(*other); drawn != drawn_by_.end())
       dimensions_[drawn->second].requirement += " " + key_of(file_, i);
-    file_.rows[i].why = "the file gives no value: it is that of " + file_.all[*other].id;
+    file_.rows[i].why = "no value is given: it is that of " + file_.all[*other].id;
     return true;
   }
 
@@ -141,7 +141,7 @@ class Statement {
     set_drawn(i, *stated.dimension.view);
     stated.dimension.requirement = key_of(file_, i);
     const ModelRequirement& one = file_.all[i];
-    if (!gives_value(one)) file_.rows[i].why = "the file gives no value: it has that of the model";
+    if (!gives_value(one)) file_.rows[i].why = "no value is given: it has that of the model";
     if (stated.is_straight) places_.add_dimension(one.faces, stated.dimension);
     drawn_by_[i] = dimensions_.size();
     dimensions_.push_back(std::move(stated.dimension));
@@ -311,7 +311,7 @@ void for_each_row(const RowsByKey& rows, const std::string& keys, const Visit& v
 }  // namespace
 
 Pmi wanted_requirements(const scene::SceneDescription& scene, const scene::ModelDescription& model) {
-  const bool is_annotated = !scene.dimensions.empty() || !scene.callouts.empty();
+  const bool is_annotated = !scene.dimensions.empty() || !scene.callouts.empty() || !scene.requirements.empty();
   return model.pmi.value_or(is_annotated ? Pmi::all : Pmi::none);
 }
 
@@ -319,7 +319,7 @@ void begin_ledger(FileRequirements& file, const scene::SceneDescription& scene) 
   const scene::ModelDescription& model = scene.models[static_cast<std::size_t>(file.model)];
   const Pmi wanted = wanted_requirements(scene, model);
   const std::vector<int> characteristics = characteristic_numbers(file.all);
-  for (std::size_t i = 0; i < file.all.size(); ++i) {
+  for (std::size_t i = file.rows.size(); i < file.all.size(); ++i) {
     const ModelRequirement& one = file.all[i];
     report::RequirementRow& row = file.rows.emplace_back();
     row.characteristic = characteristics[i];
@@ -327,7 +327,7 @@ void begin_ledger(FileRequirements& file, const scene::SceneDescription& scene) 
     row.id = one.id;
     row.kind = importer::requirement_kind_names[static_cast<std::size_t>(one.kind)];
     row.what = requirement_sentence(one);
-    row.wanted = is_wanted(one.kind, wanted);
+    row.wanted = i >= file.by_scene || is_wanted(one.kind, wanted);
     if (!row.wanted)
       row.why = model.pmi.given() ? "--pmi " + std::string(scene::word_of(wanted)) + " leaves it out"
                                   : "the sheets have no dimensions and symbols";

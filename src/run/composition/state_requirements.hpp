@@ -2,6 +2,8 @@
 // What model files require, as annotations of a scene, and the ledger of it.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <map>
 #include <memory>
 #include <span>
@@ -19,18 +21,20 @@
 
 namespace epura::pipeline {
 
-/// The requirements of the file of a model, and what becomes of them.
+/// The requirements of a model, and what becomes of them.
 struct FileRequirements {
   int model;
-  std::vector<importer::ModelRequirement> all;
+  std::vector<importer::ModelRequirement> all;        ///< of its file, then of the scene
   std::shared_ptr<const surfaces::PartFaces> part{};  ///< whose faces they name
+  std::size_t by_scene = SIZE_MAX;                    ///< number of the first one of the scene, if there is one
   std::vector<report::RequirementRow> rows{};         ///< of each
 };
 
 /// Which of them the scene wants to be drawn.
 Pmi wanted_requirements(const scene::SceneDescription& scene, const scene::ModelDescription& model);
 
-/// Sets the rows, with why those that are not wanted or not read are not drawn.
+/// Adds the rows that are missing, with why those that are not wanted or not read are not drawn. What the scene itself
+/// states is wanted.
 void begin_ledger(FileRequirements& file, const scene::SceneDescription& scene);
 
 /// If all that is wanted is in inches, sheets without a unit have that.

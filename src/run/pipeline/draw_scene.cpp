@@ -505,6 +505,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   recognise_parts(world, scene, options, gathered.report, progress.with_more_time(-for_views));
   doubt_unit(messages, scene, world, read.without_unit);
   find_features(scene, world);
+  if (!scene.requirements.empty()) state_by_features(required, scene, world);
   if (options.balloons == Balloons::characteristics && numbered_characteristics(required).empty())
     messages.warn(
         "the models state nothing to be measured that is read, so no characteristic has a balloon\n  hint: "

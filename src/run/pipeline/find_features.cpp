@@ -14,8 +14,10 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "composition/requirement_texts.hpp"
 #include "composition/stated_dimensions.hpp"
 #include "features/place_threads.hpp"
+#include "features/tolerances.hpp"
 #include "scene/body_styles.hpp"
 #include "scene/details.hpp"
 #include "scene/scene_values.hpp"
@@ -32,8 +34,9 @@ using scene::FeatureName;
 using surfaces::SurfaceKind;
 
 struct FoundFeature {
-  Vec3 centre;   ///< on its axis, if it has one
-  Vec3 surface;  ///< on its rim or face
+  Vec3 centre;               ///< on its axis, if it has one
+  Vec3 surface;              ///< on its rim or face
+  std::vector<int> faces{};  ///< of the part; of a hole, its narrowest bore
   std::optional<FeatureCircle> circle{};
 };
 
@@ -83,7 +86,7 @@ std::vector<FoundFeature> faces_of(const world::Placed& placed, const surfaces::
     const surfaces::PartFace& face = in_world->faces[i];
     const surfaces::PartSurface& surface = face.surface;
     const Vec3 middle(placed.to_world * Vec4(middles[i], 1));
-    FoundFeature found{middle, facet_near(facets[i], middle)};
+    FoundFeature found{middle, facet_near(facets[i], middle), {number}};
     if (surfaces::has_axis(surface.kind))
       found.centre = surface.origin + glm::dot(middle - surface.origin, surface.axis) * surface.axis;
     if (surface.kind == SurfaceKind::sphere) found.centre = surface.origin;
@@ -94,6 +97,16 @@ std::vector<FoundFeature> faces_of(const world::Placed& placed, const surfaces::
       found.circle = FeatureCircle{found.centre, surface.axis, surface.radius, arc_of(face, points, along)};
     }
     faces.push_back(std::move(found));
+  }
+  return faces;
+}
+
+std::vector<int> narrowest_bore(const surfaces::Hole& hole, const surfaces::PartFaces& part) {
+  std::vector<int> faces;
+  for (const int number : hole.faces) {
+    const surfaces::PartSurface& surface = part.faces[static_cast<std::size_t>(number)].surface;
+    if (surface.kind == SurfaceKind::cylinder && features::are_same(surface.radius, hole.diameters.front() / 2))
+      faces.push_back(number);
   }
   return faces;
 }
@@ -109,8 +122,8 @@ std::vector<FoundFeature> holes_of(const world::Placed& placed, const surfaces::
     const Vec3 mouth(placed.to_world * Vec4(from, 1));
     const Vec3 axis = glm::normalize(Vec3(placed.to_world * Vec4(from - to, 0)));
     const double radius = *scale * hole.diameters.back() / 2;
-    holes.push_back(
-        {mouth, mouth + radius * any_across(axis), FeatureCircle{mouth, axis, *scale * hole.diameters.front() / 2}});
+    holes.push_back({mouth, mouth + radius * any_across(axis), narrowest_bore(hole, part),
+                     FeatureCircle{mouth, axis, *scale * hole.diameters.front() / 2}});
   }
   return holes;
 }
@@ -142,7 +155,6 @@ class Features {
     return *found.circle;
   }
 
- private:
   [[nodiscard]] int model_of(const FeatureName& name, const std::string& where) const {
     const int count = static_cast<int>(scene_.models.size());
     std::vector<std::string> names;
@@ -163,6 +175,7 @@ class Features {
     return static_cast<int>(found - names.begin());
   }
 
+ private:
   [[nodiscard]] NumberedFeatures numbered(int model) const {
     const world::Placed& placed = world_.models[static_cast<std::size_t>(model)];
     const surfaces::PartFaces part = placed.part != nullptr ? *placed.part : surfaces::recognise_faces(*placed.mesh);
@@ -211,6 +224,58 @@ void find_features(scene::SceneDescription& scene, const world::World& world) {
       one.to.value = scene::LeaderTarget(scene::Anchor(surface));
     }
   }
+}
+
+namespace {
+
+// Of files and scenes.
+std::vector<std::string> datum_letters(const std::vector<FileRequirements>& required,
+                                       const scene::SceneDescription& scene) {
+  std::vector<std::string> letters;
+  for (const FileRequirements& file : required)
+    for (const importer::ModelRequirement& one : file.all)
+      if (one.kind == importer::RequirementKind::datum) letters.push_back(one.datums);
+  for (const scene::RequirementDescription& one : scene.requirements)
+    if (one.letter.given()) letters.push_back(*one.letter);
+  for (const scene::CalloutDescription& callout : scene.callouts)
+    if (const auto* datum = std::get_if<scene::DatumFeature>(&callout.content)) letters.push_back(datum->letter);
+  return letters;
+}
+
+}  // namespace
+
+void state_by_features(std::vector<FileRequirements>& required, const scene::SceneDescription& scene,
+                       const world::World& world) {
+  Features features(scene, world);
+  const std::vector<std::string> letters = datum_letters(required, scene);
+  const Unit unit = scene.sheets.front().dimension_unit.value_or(Unit::mm);
+  for (std::size_t i = 0; i < scene.requirements.size(); ++i) {
+    const scene::RequirementDescription& words = scene.requirements[i];
+    const int model = features.model_of(*words.feature, words.feature.where);
+    const auto& part = world.models[static_cast<std::size_t>(model)].part;
+    if (part == nullptr)
+      refuse_input(words.where, "no faces of the model are recognised, of which something could be required",
+                   "--surfaces auto recognises those of parts");
+    for (const std::string& letter : words.frame.letters)
+      if (std::find(letters.begin(), letters.end(), letter) == letters.end())
+        refuse_input(words.where, "there is no datum " + letter + ", to which the " + *words.type + " refers",
+                     letters.empty() ? "add a [[requirement]] of type \"datum\"" : did_you_mean(letter, letters));
+    importer::ModelRequirement one = requirement_of(words, unit);
+    one.id = words.name.value_or("requirement " + std::to_string(i + 1));
+    one.faces = features.find(*words.feature, words.feature.where).faces;
+    if (words.to.given()) {
+      if (features.model_of(*words.to, words.to.where) != model)
+        refuse_input(words.to.where, "the two features are of different models", "name two of one model");
+      const std::vector<int>& more = features.find(*words.to, words.to.where).faces;
+      one.faces.insert(one.faces.end(), more.begin(), more.end());
+    }
+    std::sort(one.faces.begin(), one.faces.end());
+    auto file = std::find_if(required.begin(), required.end(), [&](const auto& known) { return known.model == model; });
+    if (file == required.end()) file = required.insert(file, FileRequirements{model, {}, part});
+    file->by_scene = std::min(file->by_scene, file->all.size());
+    file->all.push_back(std::move(one));
+  }
+  for (FileRequirements& file : required) begin_ledger(file, scene);
 }
 
 void find_details(SheetOfViews& sheet, const scene::SceneDescription& scene) {

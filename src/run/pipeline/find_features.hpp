@@ -2,6 +2,9 @@
 // Points of a scene that are given by the name of a feature, "hole 3" or "face 12".
 #pragma once
 
+#include <vector>
+
+#include "composition/state_requirements.hpp"
 #include "scene/description.hpp"
 #include "views/view_plan.hpp"
 #include "world/world.hpp"
@@ -15,6 +18,11 @@ namespace epura::pipeline {
 /// - of leaders: a point of the rim or face
 /// Throws Error{input} that says what there is for features that do not exist or are none of one model.
 void find_features(scene::SceneDescription& scene, const world::World& world);
+
+/// Adds the requirements of the scene to those of the files of its models, and their rows. Throws Error{input} for
+/// features that do not exist, and for faces that are not recognised.
+void state_by_features(std::vector<FileRequirements>& required, const scene::SceneDescription& scene,
+                       const world::World& world);
 
 /// Gives the details that a sheet shows the centres that the scene has found for them.
 void find_details(SheetOfViews& sheet, const scene::SceneDescription& scene);

@@ -74,10 +74,11 @@ void recognise_parts(world::World& world, const scene::SceneDescription& scene, 
                      report::Report& report, Progress progress) {
   // Dimensions of features need faces even where folds alone identify all edges.
   std::optional<double> least;
-  if (!dimensions_features(scene) && !options.lint && scene.threads.empty()) least = min_fold(world, scene, options);
+  const bool names_faces = dimensions_features(scene) || !scene.requirements.empty();
+  if (!names_faces && !options.lint && scene.threads.empty()) least = min_fold(world, scene, options);
   std::vector<std::vector<int>> wanted;  // models of one mesh
   std::map<const mesh::Mesh*, std::size_t> number;
-  const bool asked = dimensions_features(scene) || std::any_of(scene.views.begin(), scene.views.end(), is_asked);
+  const bool asked = names_faces || std::any_of(scene.views.begin(), scene.views.end(), is_asked);
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
     const world::Placed& placed = world.models[model];
     if (!asked || scene.models[model].surfaces.value_or(Surfaces::automatic) != Surfaces::automatic ||
