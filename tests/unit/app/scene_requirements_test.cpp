@@ -51,7 +51,7 @@ TEST_F(SceneRequirements, AreDrawnAndInTheLedger) {
   EXPECT_EQ(says("⌀18.0 "), 1);
   EXPECT_EQ(says("+0.2"), 1);
   EXPECT_EQ(says("⌀0.25"), 1);
-  EXPECT_EQ(says("A"), 2);
+  EXPECT_EQ(says("A"), 4) << "of the datum, the position, and the border of the sheet twice";
   const std::vector<Json> rows = ledger();
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0]["id"].text, "requirement 1");
