@@ -37,6 +37,7 @@ class Scene:
     tolerance_frames: Sequence[Any] = ()
     datums: Sequence[Any] = ()
     surface_textures: Sequence[Any] = ()
+    requirements: Sequence[Any] = ()
     tables: Sequence[Any] = ()
     revisions: Sequence[Any] = ()
     parts_list: Optional[Any] = None
