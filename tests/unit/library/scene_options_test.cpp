@@ -131,6 +131,7 @@ Scene all_kinds() {
           .tolerance_frames = {{.characteristic = Characteristic::flatness, .zone = "0.1"}},
           .datums = {{.letter = "A"}},
           .surface_textures = {{.text = {"Ra 3.2"}}},
+          .requirements = {{.type = "diameter", .feature = "hole 1"}},
           .tables = {{.rows = {{"text"}}}},
           .revisions = {{.revision = "A", .text = "text"}},
           .parts_list = PartsList{},
