@@ -226,7 +226,6 @@ class CalloutPlacer {
     constexpr double in_view = 60, for_line = 20, for_ink = 2;  // mm
     constexpr double at_target = 0.5;                           // mm of the leader that touch what it means
     constexpr double leader_clearance = 0.8;                    // mm to lettering and parallel lines
-    constexpr double parallel = 0.02;                           // sine of the angle between these
     const Rectangle whole{view_.box.min, view_.box.max};
     double cost = spot.box.overlaps(whole) ? in_view : 0;
     for (std::size_t i = 1; i < spot.leader.size(); ++i) {
@@ -240,7 +239,7 @@ class CalloutPlacer {
       const auto is_near = [&wide](const TurnedBox& other) { return overlap(wide, other); };
       if (std::any_of(areas_.begin(), areas_.end(), is_near)) return HUGE_VAL;
       const auto is_along = [&](const TurnedBox& other) {
-        return is_met(other) || (is_near(other) && std::abs(cross(line.along, other.along)) <= parallel);
+        return is_met(other) || (is_near(other) && look_parallel(line, other));
       };
       cost += for_line * static_cast<double>(std::count_if(lines_.begin(), lines_.end(), is_along)) +
               for_ink * ink_in(line, view_);

@@ -80,14 +80,12 @@ int BoxIndex::overlaps(const TurnedBox& box, double most) const {
 }
 
 BoxIndex::LinesBeside BoxIndex::beside(const TurnedBox& line, double same, double apart) const {
-  constexpr double parallel = 0.02;  // sine of the angle between lines that look parallel
   TurnedBox wide = line;
   wide.half.y = apart;
   LinesBeside found;
   visit_near(wide, [&](const Entry& entry) {
     const TurnedBox& other = entry.box;
-    const bool is_beside =
-        other.half.y == 0 && std::abs(cross(line.along, other.along)) <= parallel && overlap(other, wide);
+    const bool is_beside = other.half.y == 0 && look_parallel(line, other) && overlap(other, wide);
     const double off = std::abs(cross(line.along, other.centre - line.centre));
     if (is_beside) (off < same ? found.on_it : found.near) += entry.count;
     return true;

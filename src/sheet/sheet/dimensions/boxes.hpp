@@ -2,6 +2,7 @@
 // The area on paper that dimensions occupy, so that they do not collide.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "base/vec.hpp"
@@ -25,6 +26,12 @@ Rectangle around(const TurnedBox& box);
 inline TurnedBox turned_box(const Rectangle& box) { return {box.centre(), {1, 0}, box.size() / 2.0}; }
 
 TurnedBox line_box(const Vec2& from, const Vec2& to);
+
+/// Whether both look parallel: 1.1 degrees.
+inline bool look_parallel(const TurnedBox& one, const TurnedBox& other) {
+  constexpr double sine = 0.02;
+  return std::abs(cross(one.along, other.along)) <= sine;
+}
 
 /// Whether they share more than their borders.
 bool overlap(const TurnedBox& a, const TurnedBox& b);
