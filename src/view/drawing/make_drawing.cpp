@@ -94,10 +94,11 @@ void measure_straight_lines(std::vector<Piece>& pieces, const visibility::Resolv
   for (std::size_t i = 0; i < pieces.size(); ++i)
     for (const std::size_t end : {0, 1}) {
       const edges::FeatureEdge& edge = lines.drawn.edges[pieces[i].edge];
-      const bool is_end = pieces[i].s[end] == static_cast<double>(end) && length_of(pieces[i]) > tolerance;
-      if (edge.kind == EdgeKind::contour && is_end && ends_at_new_vertex(lines, edge, end))
+      if (edge.kind == EdgeKind::contour && pieces[i].s[end] == static_cast<double>(end) &&
+          ends_at_new_vertex(lines, edge, end) && length_of(pieces[i]) > tolerance)
         ends.push_back({edge.vertex[end], static_cast<int>(i), static_cast<int>(end)});
     }
+  if (ends.empty()) return;
   std::ranges::sort(ends, {}, [](const NewEnd& e) { return std::tuple(e.vertex, e.piece, e.end); });
   const auto along = [&](const NewEnd& e) {
     const Piece& piece = pieces[static_cast<std::size_t>(e.piece)];
@@ -111,7 +112,7 @@ void measure_straight_lines(std::vector<Piece>& pieces, const visibility::Resolv
       if (glm::dot(one, other) < 0 && off <= tolerance) joined.join(ends[i].piece, ends[j].piece);
     }
   const std::vector<int> line = std::move(joined).roots();
-  std::vector<double> lengths(ends.empty() ? 0 : pieces.size(), 0);
+  std::vector<double> lengths(pieces.size(), 0);
   for (std::size_t i = 0; i < lengths.size(); ++i) lengths[static_cast<std::size_t>(line[i])] += length_of(pieces[i]);
   for (std::size_t i = 0; i < lengths.size(); ++i) {
     pieces[i].line = lengths[static_cast<std::size_t>(line[i])];
