@@ -16,7 +16,6 @@ from ._errors import Error, InputError, made
 from ._models import Model, _geometry
 
 _VERSION = 1
-_NONE = 0xFFFFFFFF
 #: The kinds of lines by their numbers in hlr.h.
 _KINDS = {"contour": 1, "boundary": 2, "crease": 4, "intersection": 8, "wire": 64, "tangent": 256, "smooth": 512}
 _USUAL = ("contour", "boundary", "crease", "intersection", "wire")

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <tuple>
 
 #include "base/nearest.hpp"
 #include "drawing/drawing.hpp"
@@ -18,8 +17,6 @@ static_assert(number_of(EdgeKind::contour) == EPURA_HLR_CONTOUR &&
               number_of(EdgeKind::intersection) == EPURA_HLR_INTERSECTION &&
               number_of(EdgeKind::wire) == EPURA_HLR_WIRE && number_of(EdgeKind::tangent) == EPURA_HLR_TANGENT &&
               number_of(EdgeKind::smooth) == EPURA_HLR_SMOOTH);
-
-auto key_of(const epura_hlr_face& face) { return std::tuple(face.node, face.shape, face.face, face.body); }
 
 class CurveMaker {
  public:

@@ -94,7 +94,7 @@ int guarded(epura_hlr_error* error, const Work& work) noexcept {
 }
 
 void expect(bool condition, const std::string& place, const std::string& reason, const std::string& remedy) {
-  if (!condition) throw Error(ErrorKind::input, place, reason, remedy);
+  if (!condition) refuse_input(place, reason, remedy);
 }
 
 template <class Struct>

@@ -79,10 +79,6 @@ std::vector<epura_hlr_face> faces_of(const importer::Document& document) {
   return faces;
 }
 
-bool is_same(const epura_hlr_face& one, const epura_hlr_face& other) {
-  return one.node == other.node && one.shape == other.shape && one.face == other.face && one.body == other.body;
-}
-
 }  // namespace
 
 Model make_model(const importer::Document& document, bool is_mesh) {
@@ -116,7 +112,7 @@ std::array<epura_hlr_face, 2> faces_at(const Model& model, const std::array<int,
     for (const int t : mesh.triangles_of(*found)) {
       const epura_hlr_face& face =
           model.face_of_polygon[static_cast<std::size_t>(mesh.polygon[static_cast<std::size_t>(t)])];
-      if (count == 0 || (count == 1 && !is_same(face, faces[0]))) faces[count++] = face;
+      if (count == 0 || (count == 1 && key_of(face) != key_of(faces[0]))) faces[count++] = face;
     }
   if (edge == nullptr) return faces;
   if (count == 0) return {epura_hlr_face{edge->node, edge->shape, EPURA_NONE, EPURA_NONE}, no_face};

@@ -6,7 +6,7 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
+#include <tuple>
 #include <vector>
 
 #include "importer/document.hpp"
@@ -15,6 +15,9 @@
 namespace epura::hlr {
 
 inline constexpr epura_hlr_face no_face{EPURA_NONE, EPURA_NONE, EPURA_NONE, EPURA_NONE};
+
+/// For comparisons of faces.
+inline auto key_of(const epura_hlr_face& face) { return std::tuple(face.node, face.shape, face.face, face.body); }
 
 /// An edge or a wire of a shape where it stands.
 struct SourceEdge {

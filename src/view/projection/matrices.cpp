@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_access.hpp>
-#include <string>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
@@ -36,10 +35,6 @@ Mat4 plane_coordinates(const Projection& p) {
   return rows(row(p.u), row(p.v), row(p.n), {0, 0, 0, 1});
 }
 
-[[noreturn]] void refuse_matrix(const std::string& reason, const std::string& remedy) {
-  throw Error(ErrorKind::input, "matrix", reason, remedy);
-}
-
 /// Rows of a matrix, without the last number of each.
 struct Rows {
   Vec3 x, y, depth, w;
@@ -53,12 +48,14 @@ Projection parallel_of(const Rows& rows, const Vec4& last) {
   p.projector = glm::cross(a0, a1);
   const double xx = glm::dot(a0, a0), xy = glm::dot(a0, a1), yy = glm::dot(a1, a1);
   const double area = glm::length(p.projector);  // s1 s2
-  if (!(area > parallel_sine * (xx + yy))) refuse_matrix("makes a flat picture", "its first two rows must differ");
+  if (!(area > parallel_sine * (xx + yy)))
+    refuse_input("matrix", "makes a flat picture", "its first two rows must differ");
   p.projector /= area;
   const double towards = glm::dot(rows.depth, p.projector) / last.w;
-  if (towards == 0) refuse_matrix("does not tell on which side the viewer is", "let row 2 grow towards him");
+  if (towards == 0) refuse_input("matrix", "does not tell on which side the viewer is", "let row 2 grow towards him");
   if (towards < 0)
-    refuse_matrix("mirrors the picture", "change the sign of row 0, or of row 2 if it falls towards the viewer");
+    refuse_input("matrix", "mirrors the picture",
+                 "change the sign of row 0, or of row 2 if it falls towards the viewer");
   // The angle of the first singular vector on the page.
   const double turn = 0.5 * portable_atan2(2 * xy, xx - yy), c = portable_cos(turn), s = portable_sin(turn);
   const double large = std::sqrt(c * c * xx + 2 * c * s * xy + s * s * yy);
@@ -86,13 +83,13 @@ Projection central_of(const Rows& rows, const Vec4& last) {
   const Vec3 across = rows.x - middle.x * rows.w, upwards = rows.y - middle.y * rows.w;
   const double width = glm::length(across), height = glm::length(upwards);
   if (!(width > 0 && height > 0) || glm::length(glm::cross(across, upwards)) < parallel_sine * width * height)
-    refuse_matrix("makes a flat picture", "its first two rows must differ, and both from row 3");
+    refuse_input("matrix", "makes a flat picture", "its first two rows must differ, and both from row 3");
   if (std::abs(width - height) > parallel_sine * width ||
       std::abs(glm::dot(across, upwards)) > parallel_sine * width * height)
-    refuse_matrix("stretches the picture", "give both axes of the page the same unit, at right angles");
+    refuse_input("matrix", "stretches the picture", "give both axes of the page the same unit, at right angles");
   if (glm::dot(glm::cross(across, upwards), p.n) < 0)
-    refuse_matrix("mirrors the picture",
-                  "change the sign of row 0, or of row 3 if it is negative in front of the viewer");
+    refuse_input("matrix", "mirrors the picture",
+                 "change the sign of row 0, or of row 3 if it is negative in front of the viewer");
   p.u = glm::normalize(across);
   p.v = glm::cross(p.n, p.u);
   const Mat3 linear = glm::transpose(Mat3(rows.x, rows.y, rows.w));
@@ -106,12 +103,12 @@ Projection central_of(const Rows& rows, const Vec4& last) {
 Projection projection_of_matrix(const Mat4& matrix) {
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 4; ++row)
-      if (!std::isfinite(matrix[column][row])) refuse_matrix("has a number that is not finite", "");
+      if (!std::isfinite(matrix[column][row])) refuse_input("matrix", "has a number that is not finite", "");
   const Rows rows{Vec3(glm::row(matrix, 0)), Vec3(glm::row(matrix, 1)), Vec3(glm::row(matrix, 2)),
                   Vec3(glm::row(matrix, 3))};
   const Vec4& last = matrix[3];
   if (rows.w != Vec3(0)) return central_of(rows, last);
-  if (last.w == 0) refuse_matrix("has zeros in row 3", "let it end with 1");
+  if (last.w == 0) refuse_input("matrix", "has zeros in row 3", "let it end with 1");
   return parallel_of(rows, last);
 }
 
