@@ -196,24 +196,26 @@ class OpenCascadeShape {
 
   // Radians between the normals of both faces, where they differ most of three places along an edge.
   static double angle_at(const TopoDS_Edge& edge, const TopoDS_Face& one, const TopoDS_Face& other) {
-    double largest = 0;
-    for (const double part : {0.25, 0.5, 0.75}) {
-      gp_Vec normals[2];
-      for (int i = 0; i < 2; ++i) {
-        const TopoDS_Face& face = i == 0 ? one : other;
-        double from = 0, to = 0;
-        const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, from, to);
-        if (curve.IsNull()) return std::nan("");
-        const gp_Pnt2d at = curve->Value(from + part * (to - from));
+    constexpr std::array parts{0.25, 0.5, 0.75};
+    std::array<std::array<gp_Vec, parts.size()>, 2> normals;
+    for (std::size_t side = 0; side < 2; ++side) {
+      const TopoDS_Face& face = side == 0 ? one : other;
+      double from = 0, to = 0;
+      const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, from, to);
+      if (curve.IsNull()) return std::nan("");
+      const BRepAdaptor_Surface surface(face, false);
+      for (std::size_t i = 0; i < parts.size(); ++i) {
+        const gp_Pnt2d at = curve->Value(from + parts[i] * (to - from));
         gp_Pnt point;
         gp_Vec u, v;
-        BRepAdaptor_Surface(face, false).D1(at.X(), at.Y(), point, u, v);
-        normals[i] = u.Crossed(v);
-        if (normals[i].SquareMagnitude() == 0) return std::nan("");
-        if (face.Orientation() == TopAbs_REVERSED) normals[i].Reverse();
+        surface.D1(at.X(), at.Y(), point, u, v);
+        gp_Vec& normal = normals[side][i] = u.Crossed(v);
+        if (normal.SquareMagnitude() == 0) return std::nan("");
+        if (face.Orientation() == TopAbs_REVERSED) normal.Reverse();
       }
-      largest = std::max(largest, normals[0].Angle(normals[1]));
     }
+    double largest = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i) largest = std::max(largest, normals[0][i].Angle(normals[1][i]));
     return largest;
   }
 
