@@ -19,10 +19,30 @@ bool is_piece(const Facets& facets, int facet, const Region& region) {
   return is_chord(facets, facet, region.surface, allowance_of(facets, region.sagitta), region.sagitta);
 }
 
+// Whether a facet lies on the inner side of a surface that has one, nowhere much deeper than facets do in their middles:
+// what cuts the facets of a mesh, rather than the surface, leaves vertices there. Wide ends of cones are deeper.
+bool is_within_chords(const Facets& facets, int facet, const Region& region) {
+  if (region.surface.kind == SurfaceKind::torus) return false;
+  const double allowance = allowance_of(facets, region.sagitta), deepest = 2 * region.sagitta + allowance;
+  const auto is_inside = [&](const Vec3& p) {
+    const double distance = signed_distance(region.surface, p);
+    return distance <= allowance && -distance <= deepest;
+  };
+  const auto triangles = facets.triangles_of(facet);
+  return std::all_of(triangles.begin(), triangles.end(), [&](int t) {
+    const auto& [a, b, c] = facets.corners[t];
+    const Vec3 &p = facets.points[a], &q = facets.points[b], &r = facets.points[c];
+    return is_inside(p) && is_inside(q) && is_inside(r) && is_inside((p + q) / 2.0) && is_inside((q + r) / 2.0) &&
+           is_inside((r + p) / 2.0);
+  });
+}
+
 bool is_trimmed_piece(const Facets& facets, int facet, const Region& region) {
   const double trimmed = max_trimmed * facets.tolerance;
   return is_chord(facets, facet, region.surface, std::min(region.sagitta / 8, trimmed), region.sagitta) ||
-         approximates(facets, facet, region.surface, std::min(region.sagitta, trimmed), region.sagitta);
+         approximates(facets, facet, region.surface, std::min(region.sagitta, trimmed), region.sagitta) ||
+         (is_within_chords(facets, facet, region) &&
+          approximates(facets, facet, region.surface, 2 * region.sagitta, region.sagitta));
 }
 
 using IsPiece = bool (*)(const Facets& facets, int facet, const Region& region);
@@ -53,7 +73,7 @@ Region with_facet(const Facets& facets, int facet, Region region) {
 
 Regions take_pieces(const Facets& facets, Regions found, IsPiece is_piece_of) {
   std::vector<int>& region_of = found.region_of;
-  const auto is_free = [&](int f) { return region_of[f] < 0 && !facets.facets[f].is_plane; };
+  const auto is_free = [&](int f) { return region_of[f] < 0; };
   std::vector<int> next;
   for (int f = 0; f < static_cast<int>(facets.facets.size()); ++f)
     if (is_free(f)) next.push_back(f);

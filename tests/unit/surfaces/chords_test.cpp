@@ -157,5 +157,54 @@ TEST(FlatsOfTori, DoNotConnectTwoOfThem) {
   for (const surfaces::Region& region : merged) EXPECT_EQ(region.surface.kind, SurfaceKind::torus);
 }
 
+/// A shaft of so many facets with a slot across its end, `width` wide, as programs cut it that know no surfaces:
+/// corners of the slot lie on chords. Seven faces: the cylinder, one end, two halves of the other one, floor and walls
+/// of the slot.
+Part slotted_shaft(int facets, double radius, double width) {
+  std::vector<Vec2> outline;
+  const std::vector<Vec2> round = regular_polygon(facets, radius);
+  for (std::size_t i = 0; i < round.size(); ++i) {
+    const Vec2 a = round[i], b = round[(i + 1) % round.size()];
+    outline.push_back(a);
+    for (const double wall : {-width / 2, width / 2})
+      if ((a.y - wall) * (b.y - wall) < 0) outline.push_back(a + (wall - a.y) / (b.y - a.y) * (b - a));
+  }
+  Part part;
+  const int n = static_cast<int>(outline.size());
+  for (const double z : {0.0, 20.0, 30.0})
+    for (const Vec2& p : outline) part.add({p.x, p.y, z});
+  std::vector<int> bottom, floor, above, below;
+  for (int i = 0; i < n; ++i) {
+    const int j = (i + 1) % n;
+    part.faces.push_back({i, j, n + j, n + i});
+    bottom.insert(bottom.begin(), i);
+    const double y = outline[i].y, middle = (y + outline[j].y) / 2;
+    if (std::abs(middle) > width / 2) part.faces.push_back({n + i, n + j, 2 * n + j, 2 * n + i});
+    const double slack = 1e-9;
+    if (std::abs(y) <= width / 2 + slack) floor.push_back(n + i);
+    if (y >= width / 2 - slack) above.push_back(2 * n + i);
+    if (y <= -width / 2 + slack) below.push_back(2 * n + i);
+  }
+  part.faces.push_back(bottom);
+  part.faces.push_back(floor);
+  part.faces.push_back(above);
+  part.faces.push_back(below);
+  part.faces.push_back({above.back() - n, above.back(), above.front(), above.front() - n});
+  part.faces.push_back({below.back() - n, below.back(), below.front(), below.front() - n});
+  return part;
+}
+
+TEST(Chords, AreCutAnywhereByProgramsThatKnowNoSurfaces) {
+  for (const int facets : {24, 32, 64, 100}) {
+    const surfaces::PartFaces part =
+        surfaces::recognise_faces(slotted_shaft(facets, 10, 5.3).triangulate().round_to_float().mesh());
+    EXPECT_EQ(part.faces.size(), 7U) << facets;
+    EXPECT_NEAR(only(part, surfaces::SurfaceKind::cylinder).surface.radius, 10, 1e-5) << facets;
+    EXPECT_NEAR(only(part, surfaces::SurfaceKind::cylinder).sweep, 360, 1e-6) << facets;
+    EXPECT_EQ(count(part, surfaces::SurfaceKind::plane), 6) << facets;
+    EXPECT_EQ(count(part, surfaces::BorderKind::tangent), 0) << facets;
+  }
+}
+
 }  // namespace
 }  // namespace epura::chords_test
