@@ -352,16 +352,35 @@ int count_corners(const std::vector<Vec2>& p, double tolerance) {
   return corners;
 }
 
-// A plane meets a cylinder or cone in two lines, and a net of meridians and parallels in four points: facets of such
-// surfaces have at most four corners, and all their other vertices lie on the lines between these.
-bool has_many_corners(const Facets& f, const Facet& facet, std::span<const int> vertices) {
+std::vector<Vec2> seen_flat(const Facets& f, const Facet& facet, std::span<const int> vertices) {
   const auto [u, v] = square_to(facet.normal);
   std::vector<Vec2> seen;
+  seen.reserve(vertices.size());
   for (const int vertex : vertices) {
     const Vec3 from = f.points[vertex] - facet.middle;
     seen.emplace_back(glm::dot(from, u), glm::dot(from, v));
   }
-  return count_corners(seen, f.tolerance) > 4;
+  return seen;
+}
+
+// The extent of points across the direction in which they extend most.
+double breadth_of(std::span<const Vec2> points) {
+  double xx = 0, xy = 0, yy = 0;
+  for (const Vec2& p : points) {
+    xx += p.x * p.x;
+    xy += p.x * p.y;
+    yy += p.y * p.y;
+  }
+  const double half = (xx - yy) / 2, root = std::hypot(half, xy);
+  const Vec2 along = half > 0 ? Vec2(half + root, xy) : Vec2(xy, root - half);
+  const double length = glm::length(along);
+  if (!(length > 0)) return 0;
+  double least = HUGE_VAL, most = -HUGE_VAL;
+  for (const Vec2& p : points) {
+    least = std::min(least, cross(along, p) / length);
+    most = std::max(most, cross(along, p) / length);
+  }
+  return most - least;
 }
 
 Facet facet_at(const Facets& f, const Triangles& of, int number) {
@@ -378,7 +397,12 @@ Facet facet_at(const Facets& f, const Triangles& of, int number) {
   const auto vertices = f.vertices_of(number);
   const auto supports = f.supports_of(number);
   for (const int v : supports) facet.middle += f.points[v] / static_cast<double>(supports.size());
-  facet.is_plane = facet.normal != Vec3(0) && vertices.size() > 4 && has_many_corners(f, facet, vertices);
+  // A plane meets a cylinder or cone in two lines, and a net of meridians and parallels in four points: facets of such
+  // surfaces have at most four corners, and all their other vertices lie on the lines between these.
+  if (facet.normal == Vec3(0) || vertices.size() <= 4) return facet;
+  const std::vector<Vec2> seen = seen_flat(f, facet, vertices);
+  facet.is_plane = count_corners(seen, f.tolerance) > 4;
+  if (facet.is_plane) facet.width = std::max(facet.width, breadth_of(seen));
   return facet;
 }
 

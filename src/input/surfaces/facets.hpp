@@ -17,7 +17,7 @@ struct Facet {
   Vec3 normal;  ///< unit; zero if it has no area
   Vec3 middle;  ///< mean of its supports
   double area;
-  double width;   ///< of its thickest triangle
+  double width;   ///< of its thickest triangle; of a plane, its least extent
   bool is_plane;  ///< has more corners than a facet of a round surface can have
 };
 

@@ -206,5 +206,16 @@ TEST(Chords, AreCutAnywhereByProgramsThatKnowNoSurfaces) {
   }
 }
 
+// Programs that cut shapes let them overlap by a little, which leaves ledges far narrower than facets.
+TEST(Chords, ANarrowLedgeBesideThemIsAPlane) {
+  for (const double width : {0.0025, 0.01, 0.3}) {
+    const surfaces::PartFaces part = surfaces::recognise_faces(
+        revolved({{0, 6}, {5 - width, 8}, {5, 8}, {5, 20}, {0, 20}}, 64).triangulate().round_to_float().mesh());
+    ASSERT_EQ(part.faces.size(), 4U) << width;
+    EXPECT_EQ(count(part, SurfaceKind::plane), 2) << width;
+    EXPECT_EQ(count(part, surfaces::BorderKind::sharp), 3) << width;
+  }
+}
+
 }  // namespace
 }  // namespace epura::chords_test
