@@ -8,6 +8,7 @@
 #include "base/broken.hpp"
 #include "batch/batch.hpp"
 #include "serve/serve.hpp"
+#include "snapshot/check.hpp"
 #include "snapshot/compare.hpp"
 #include "snapshot/snapshot.hpp"
 
@@ -26,7 +27,7 @@ const ProgramTexts& program_texts() {
       .exit_codes =
           {{0, "success"},
            {found_wrong_exit_code,
-            "differences found (compare, snapshot) or errors found (lint, --verify, plugins check, views "
+            "differences found (compare, snapshot, check) or errors found (lint, --verify, plugins check, views "
             "beyond their sheet), requirements that are not drawn (draw) or not read whole (requirements), or jobs "
             "failed (batch)"},
            {2, "wrong input"},
@@ -71,6 +72,8 @@ std::vector<DefinedCommand> define_commands(CLI::App& program) {
           requirements_options, requirements),
       define_command(add("compare", "report the visible differences between two drawings, models or scenes"),
                      compare_options, compare_files),
+      define_command(add("check", "draw a drawing again that carries its proof, and say whether it is the same"),
+                     check_options, check_drawing),
       define_command(add("snapshot", "draw cases and compare them with expected drawings"), snapshot_options, snapshot),
       define_command(
           add("serve", "show a page in which projections are tried: sliders for their parameters, exact drawings"),

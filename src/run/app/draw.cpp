@@ -8,6 +8,7 @@
 #include "app/describe.hpp"
 #include "app/draw_files.hpp"
 #include "app/explain.hpp"
+#include "app/proof.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "composition/tell.hpp"
@@ -118,11 +119,15 @@ DrawnFiles draw_within(const DrawOptions& options, const DescribeScene& describe
   const ThreadLimit threads(options.run.threads);
   const std::vector<pipeline::Target> targets = pipeline::targets_of(options.outputs, options.format);
   expect_outputs(options);
+  if (options.vector.proof != output::Proof::none) expect_provable(options, targets);
   const scene::SceneDescription scene = describe_scene(progress);
   pipeline::refuse_overwriting(pipeline::files_of(targets, scene.sheets.size()), inputs_of(options, scene));
 
   pipeline::RunOptions run = options.run;
-  run.keeps_drawings = want_drawings(targets);
+  const bool proves = options.vector.proof != output::Proof::none;
+  run.keeps_drawings = proves || want_drawings(targets);
+  run.verify = run.verify || proves;
+  run.lint = run.lint || proves;
   run.line_facts = want_facts(targets);
   run.judges = run.keeps_drawings || run.explain;
   output::VectorOptions vector = options.vector;
@@ -141,6 +146,7 @@ DrawnFiles draw_within(const DrawOptions& options, const DescribeScene& describe
   if (options.timings) report.seconds = watch.laps();
   if (!options.timings && !options.measure) forget_times(report.plan);
   pipeline::warn_about_pictures(messages, targets, drawn.sheets);
+  if (proves) vector.attachments = proof_of(options, scene, drawn);
   const std::vector<pipeline::FileBytes> files = encode_in_time(targets, drawn.sheets, vector, report, progress);
   progress.lift_limit();
   for (const pipeline::FileBytes& file : files) pipeline::write(file, progress);

@@ -38,6 +38,9 @@ using DescribeScene = std::function<scene::SceneDescription(const Progress&)>;
 DrawnFiles draw_files(const DrawOptions& options, const DescribeScene& describe_scene,
                       const pipeline::Messages& messages, Progress progress);
 
+/// The findings about the dimensions of a drawing as JSON (docs/formats.md).
+std::string findings_json(const report::Report& report);
+
 /// Prints the result of --timings, and what --time-limit omitted.
 void tell_the_end(const pipeline::Messages& messages, const DrawOptions& options, const DrawnFiles& drawn);
 

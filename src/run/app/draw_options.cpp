@@ -222,6 +222,11 @@ scene::Options<Draw> format_options() {
                                    "lasers and engravers",
                            .usual = "dashed"},
                           vector(&output::VectorOptions::strokes), scene::choice<output::Strokes>().shown_as("HOW")),
+      scene::option<Draw>({.flag = "--proof",
+                           .help = "what SVG and PDF carry for 'epura check': data: options, scene file, lines, test "
+                                   "and lint of the drawing, hashes; model: the files that are read, too",
+                           .usual = "none"},
+                          vector(&output::VectorOptions::proof), scene::choice<output::Proof>().shown_as("WHAT")),
       scene::option<Draw>({.flag = "--decimals", .help = "decimals of coordinates in SVG", .usual = "4"},
                           vector(&output::VectorOptions::decimals), scene::whole_number(1, 5)),
       scene::option<Draw>({.flag = "--id-prefix",
@@ -294,6 +299,38 @@ scene::Options<Draw> run_options() {
   };
 }
 
+// As on the command line.
+std::string word_of(const scene::TomlValue& value) {
+  if (const auto* text = std::get_if<std::string>(&value.content)) return *text;
+  if (const auto* number = std::get_if<double>(&value.content)) return format_number(*number);
+  if (const auto* is_so = std::get_if<bool>(&value.content)) return *is_so ? "true" : "false";
+  if (const auto* date = std::get_if<scene::TomlDate>(&value.content)) return date->text;
+  std::string words;
+  if (const auto* list = std::get_if<scene::TomlList>(&value.content))
+    for (const scene::TomlValue& one : list->values) words += (words.empty() ? "" : ",") + word_of(one);
+  return words;
+}
+
+std::string name_of(const scene::OptionInfo& option, const std::string& word) {
+  if (!option.flag.empty()) return option.flag.substr(option.flag.rfind(',') + 1);
+  for (const scene::Switch& one : option.switches)
+    if (one.word == word) return one.flag;
+  return {};
+}
+
+// What is read is also kept in words.
+void keep_words(scene::Options<Draw>& options) {
+  for (scene::Option<Draw>& option : options) {
+    if (!is_of_drawing(option)) continue;
+    option.read = [info = static_cast<scene::OptionInfo>(option), read = option.read](Draw& draw,
+                                                                                      const scene::TomlValue& value) {
+      read(draw, value);
+      const std::string word = word_of(value);
+      draw.given.emplace_back(name_of(info, word), word);
+    };
+  }
+}
+
 scene::Options<Draw> title_options() {
   scene::Options<Draw> options;
   for (const scene::Option<scene::TitleBlockFields>& field : scene::title_block_options())
@@ -304,6 +341,25 @@ scene::Options<Draw> title_options() {
 }
 
 }  // namespace
+
+bool is_of_drawing(const scene::OptionInfo& option) {
+  return option.nature == scene::Nature::drawing || option.flag == "--verify-samples";
+}
+
+bool names_file(const scene::OptionInfo& option, const std::string& value) {
+  return option.form.completion == scene::Completion::files ||
+         (option.flag == "--font" && scene::names_font_file(value));
+}
+
+const scene::Option<DrawOptions>* find_option(const scene::Options<DrawOptions>& options, const std::string& name) {
+  const auto is_it = [&](const scene::OptionInfo& option) {
+    const auto is_switch = [&](const scene::Switch& one) { return one.flag == name; };
+    return option.flag.substr(option.flag.rfind(',') + 1) == name ||
+           std::any_of(option.switches.begin(), option.switches.end(), is_switch);
+  };
+  const auto found = std::find_if(options.begin(), options.end(), is_it);
+  return name.empty() || found == options.end() ? nullptr : &*found;
+}
 
 scene::ValueKind<std::string> file_name(const std::string& placeholder) {
   // Names may contain any characters.
@@ -323,6 +379,7 @@ scene::Options<DrawOptions> draw_options() {
   append(all, format_options());
   append(all, question_options(), scene::Nature::run);
   append(all, run_options(), scene::Nature::run);
+  keep_words(all);
   return all;
 }
 

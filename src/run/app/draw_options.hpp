@@ -71,6 +71,16 @@ scene::Option<Command> views_option(const std::string& help,
       }};
 }
 
+/// Whether an option decides what is drawn, or what is found out about it: such options a sheet carries with it, and a
+/// stranger may give.
+bool is_of_drawing(const scene::OptionInfo& option);
+
+/// Whether a value of an option is the name of a file.
+bool names_file(const scene::OptionInfo& option, const std::string& value);
+
+/// The row with this name on the command line: its long flag, or one of its switches; null if there is none.
+const scene::Option<DrawOptions>* find_option(const scene::Options<DrawOptions>& options, const std::string& name);
+
 /// The name of a file or folder to read or to write.
 scene::ValueKind<std::string> file_name(const std::string& placeholder);
 

@@ -40,13 +40,6 @@ std::string json_of(const report::SizeCount& count) {
          ", \"all\": " + std::to_string(count.all) + "}";
 }
 
-std::string json_of(const report::Report& report) {
-  const auto write = [](const report::Finding& finding) { return json_of(finding); };
-  return "{\"epura_lint\": 1, \"findings\": " + output::json_lines(report.findings, write, "\n  ") +
-         ", \"sizes\": " + output::json_list(report.sizes, [](const report::SizeCount& one) { return json_of(one); }) +
-         ", \"views_to_add\": " + output::json_list(report.views_to_add, output::json_string) + "}\n";
-}
-
 int missing_in(const std::vector<report::SizeCount>& sizes) {
   return std::accumulate(sizes.begin(), sizes.end(), 0,
                          [](int missing, const report::SizeCount& one) { return missing + one.all - one.given; });
@@ -112,6 +105,13 @@ std::string printed_findings(const std::vector<report::Finding>& findings, bool 
 
 }  // namespace
 
+std::string findings_json(const report::Report& report) {
+  const auto write = [](const report::Finding& finding) { return json_of(finding); };
+  return "{\"epura_lint\": 1, \"findings\": " + output::json_lines(report.findings, write, "\n  ") +
+         ", \"sizes\": " + output::json_list(report.sizes, [](const report::SizeCount& one) { return json_of(one); }) +
+         ", \"views_to_add\": " + output::json_list(report.views_to_add, output::json_string) + "}\n";
+}
+
 int lint(DrawOptions options) {
   options.run.lint = true;
   options.run.free_faces = options.lint_free_faces;
@@ -122,7 +122,7 @@ int lint(DrawOptions options) {
   console.print("");
   tell_the_end(messages_to(console), options, drawn);
   const std::vector<report::Finding>& findings = drawn.report.findings;
-  if (!options.lint_json.empty()) pipeline::write({options.lint_json, json_of(drawn.report)}, {});
+  if (!options.lint_json.empty()) pipeline::write({options.lint_json, findings_json(drawn.report)}, {});
   if (options.lint_json != "-") {
     std::fputs(printed_findings(findings, options.lint_all).c_str(), stdout);
     std::fputs((hint_for_machines(drawn.report) + hint_of(drawn.report.views_to_add)).c_str(), stdout);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "importer/process.hpp"
@@ -60,6 +61,8 @@ struct DrawOptions {
   bool lint_all = false;         ///< lint: print those that differ in numbers alone, too
   bool lint_free_faces = false;  ///< lint: tell of faces that the dimensions leave free
   bool measure = false;          ///< measure the time saved by shortcuts, by runs without them
+  /// The options that decide what is drawn and found, in words as on the command line: name and value.
+  std::vector<std::pair<std::string, std::string>> given{};
 };
 
 struct PluginsOptions {

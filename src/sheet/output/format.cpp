@@ -19,16 +19,21 @@ std::string one_sheet(const FileContent& file, const Progress& progress) {
   return write(file.sheets.front().sheet, progress);
 }
 
-template <std::string (*write)(const Pages&, const Progress&)>
-std::string all_sheets(const FileContent& file, const Progress& progress) {
+Pages pages_of(const FileContent& file) {
   Pages pages;
   for (const SheetContent& content : file.sheets) pages.push_back(&content.sheet);
-  return write(pages, progress);
+  return pages;
 }
 
 std::string svg(const FileContent& file, const Progress& progress) {
   return to_svg(file.sheets.front().sheet, file.options, progress);
 }
+
+std::string pdf(const FileContent& file, const Progress& progress) {
+  return to_pdf(pages_of(file), progress, file.options.attachments);
+}
+
+std::string ps(const FileContent& file, const Progress& progress) { return to_ps(pages_of(file), progress); }
 
 std::string dxf(const FileContent& file, const Progress& progress) {
   return to_dxf(file.sheets.front().sheet, file.options, progress);
@@ -63,17 +68,17 @@ double of_decimals(const VectorOptions& options, bool has_arcs) {
 // Cairo's coordinates are multiples of 1/256 of a thousandth of a millimetre; its curves are Bezier pieces.
 double of_cairo(const VectorOptions& /*options*/, bool has_arcs) { return has_arcs ? 2e-5 : 1e-5; }
 
-constexpr bool pages = true, drawings = true, facts = true, pictures = true;
+constexpr bool pages = true, drawings = true, facts = true, carries = true, pictures = true;
 
 constexpr std::array table = {
-    Format{"svg", !pages, !drawings, !facts, pictures, "emf wmf svgz", svg, of_decimals},
-    Format{"pdf", pages, !drawings, !facts, pictures, "ai", all_sheets<to_pdf>, of_cairo},
-    Format{"ps", pages, !drawings, !facts, pictures, "", all_sheets<to_ps>, of_cairo},
-    Format{"eps", !pages, !drawings, !facts, pictures, "", one_sheet<to_eps>, of_cairo},
-    Format{"png", !pages, !drawings, !facts, pictures, "jpg jpeg gif bmp tif tiff webp", png, of_pixels},
-    Format{"dxf", !pages, !drawings, !facts, !pictures, "dwg", dxf, none},
-    Format{"json", !pages, drawings, !facts, pictures, "", json, none},
-    Format{"html", pages, drawings, facts, pictures, "htm xhtml", html, of_decimals},
+    Format{"svg", !pages, !drawings, !facts, carries, pictures, "emf wmf svgz", svg, of_decimals},
+    Format{"pdf", pages, !drawings, !facts, carries, pictures, "ai", pdf, of_cairo},
+    Format{"ps", pages, !drawings, !facts, !carries, pictures, "", ps, of_cairo},
+    Format{"eps", !pages, !drawings, !facts, !carries, pictures, "", one_sheet<to_eps>, of_cairo},
+    Format{"png", !pages, !drawings, !facts, !carries, pictures, "jpg jpeg gif bmp tif tiff webp", png, of_pixels},
+    Format{"dxf", !pages, !drawings, !facts, !carries, !pictures, "dwg", dxf, none},
+    Format{"json", !pages, drawings, !facts, !carries, pictures, "", json, none},
+    Format{"html", pages, drawings, facts, !carries, pictures, "htm xhtml", html, of_decimals},
 };
 
 }  // namespace

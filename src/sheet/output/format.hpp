@@ -47,6 +47,7 @@ struct Format {
   bool has_pages;               ///< whether several sheets go into one file
   bool has_drawings;            ///< whether it contains the drawings of the sheets as data, not as pictures
   bool has_facts;               ///< whether it contains what the model tells of the lines
+  bool has_attachments;         ///< whether it carries files
   bool has_pictures;            ///< whether it shows pictures of pixels, such as logos, if it shows sheets
   std::string_view instead_of;  ///< extensions that cannot be written, for which this format is suggested
   std::string (*encode)(const FileContent&, const Progress&);

@@ -14,8 +14,11 @@ const CairoLibrary& cairo_library() {
 
 }  // namespace
 
-std::string to_pdf(const Pages& sheets, const Progress& progress) {
-  return pdf_library().join_layers(cairo_library().make_pdf_layers(sheets, progress));
+std::string to_pdf(const Pages& sheets, const Progress& progress, const std::vector<Attachment>& attachments) {
+  const PdfLibrary& library = pdf_library();  // before work that would be lost without it
+  PdfDocument document = cairo_library().make_pdf_layers(sheets, progress);
+  document.attachments = attachments;
+  return library.join_layers(document);
 }
 
 std::string to_ps(const Pages& sheets, const Progress& progress) { return cairo_library().make_ps(sheets, progress); }

@@ -233,7 +233,7 @@ std::string remarks(const sheet::Sheet& sheet) {
 
 // Title, description and metadata, as Inkscape shows them under Document Properties: RDF with Dublin Core elements, in
 // the form used by Creative Commons.
-void append_metadata(std::string& svg, const sheet::Sheet& sheet) {
+void append_metadata(std::string& svg, const sheet::Sheet& sheet, const std::vector<Attachment>& attachments) {
   const auto add = [&svg](std::string_view name, const std::string& text) {
     if (!text.empty()) append_element(svg, name, text);
   };
@@ -255,7 +255,9 @@ void append_metadata(std::string& svg, const sheet::Sheet& sheet) {
     svg.append("</cc:Agent></").append(element.name).append(">\n");
   }
   add("dc:description", remarks(sheet));
-  svg += "</cc:Work>\n</rdf:RDF>\n</metadata>\n";
+  svg += "</cc:Work>\n</rdf:RDF>\n";
+  append_attachments(svg, attachments);
+  svg += "</metadata>\n";
 }
 
 // The rules of a page for all paths, and the properties that its elements inherit, must not change a drawing embedded
@@ -274,7 +276,8 @@ void append_style(std::string& svg, const std::string& id, bool has_text) {
 }
 
 // The beginning of a document of its own: with its size, names for Inkscape, and metadata.
-void begin_file(std::string& svg, const sheet::Sheet& sheet, const std::string& width, const std::string& height) {
+void begin_file(std::string& svg, const sheet::Sheet& sheet, const std::vector<Attachment>& attachments,
+                const std::string& width, const std::string& height) {
   svg +=
       " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
       "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" fill=\"none\" stroke=\"#000\" "
@@ -283,7 +286,7 @@ void begin_file(std::string& svg, const sheet::Sheet& sheet, const std::string& 
   svg += "<sodipodi:namedview inkscape:document-units=\"mm\"/>\n";
   // Browsers print it on a sheet of its size, without margins that would scale it.
   svg += "<style>@page{size:" + width + "mm " + height + "mm;margin:0}</style>\n";
-  append_metadata(svg, sheet);
+  append_metadata(svg, sheet, attachments);
 }
 
 // The beginning of an element of a page, with its name and description for screen readers.
@@ -313,7 +316,7 @@ void append_document(std::string& svg, const sheet::Sheet& sheet, const VectorOp
   if (options.is_inline)
     begin_inline(svg, sheet, id, "0 0 " + width + " " + height);
   else
-    begin_file(svg, sheet, width, height);
+    begin_file(svg, sheet, options.attachments, width, height);
   const auto has_texts = [](const sheet::Layer* layer) { return !layer->texts.empty(); };
   append_style(svg, id, options.text == SvgText::text && std::any_of(layers.begin(), layers.end(), has_texts));
   const SvgDocument document{sheet.height,  options.decimals.value_or(usual_decimals),

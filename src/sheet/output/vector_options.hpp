@@ -5,7 +5,9 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "output/attachments.hpp"
 #include "scene/choices.hpp"
 
 template <>
@@ -22,6 +24,10 @@ enum class DxfVersion { r2007, r2000 };
 /// those of their neighbours, and ellipses as polylines, for programs that do not know the others.
 enum class DxfArcs { bulges, entities };
 
+/// What SVG and PDF carry so that `epura check` can draw them again: nothing; options, results and hashes; the models
+/// and other files that are read, too.
+enum class Proof { none, data, model };
+
 /// Dashes as a property of their line, or each as a stroke of its own (sheet/real_dashes.hpp).
 enum class Strokes { dashed, real };
 
@@ -30,6 +36,10 @@ enum class Strokes { dashed, real };
 template <>
 struct epura::scene::Words<epura::output::DxfVersion> {
   static constexpr std::array list{"2007", "2000"};
+};
+template <>
+struct epura::scene::Words<epura::output::Proof> {
+  static constexpr std::array list{"none", "data", "model"};
 };
 template <>
 struct epura::scene::Words<epura::output::Strokes> {
@@ -63,12 +73,14 @@ struct VectorOptions {
                                   ///< 0.0001 mm
   SvgText text = SvgText::outlines;
   Strokes strokes = Strokes::dashed;  ///< of all formats with lines
+  Proof proof = Proof::none;
   DxfVersion dxf_version = DxfVersion::r2007;
   DxfArcs dxf_arcs = DxfArcs::bulges;
   bool dxf_blocks = false;  ///< DXF: each view is a block
   DxfEntities dxf_entities{};
-  bool is_inline = false;   ///< SVG as an element of an HTML page, as wide as what contains it
-  std::string id_prefix{};  ///< of ids and classes in SVG; empty: derived from the content of the sheet
+  bool is_inline = false;                 ///< SVG as an element of an HTML page, as wide as what contains it
+  std::string id_prefix{};                ///< of ids and classes in SVG; empty: derived from the content of the sheet
+  std::vector<Attachment> attachments{};  ///< of SVG and PDF, sorted by name
 };
 
 /// Returns the prefix. Throws Error{input} that names its origin `where`, unless it is a letter followed by letters,

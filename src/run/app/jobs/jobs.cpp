@@ -41,7 +41,7 @@ bool is_output(const LaterOption& option) { return option.flag == output_flag; }
 struct Column {
   std::string flag;
   bool is_repeatable = false;
-  bool names_file = false;
+  scene::OptionInfo option{};
   bool is_left_to_user = false;  ///< no table says it: it may be a stranger's
 };
 
@@ -50,7 +50,7 @@ std::map<std::string, Column> columns() {
   std::map<std::string, Column> all;
   for (const scene::OptionInfo& option : job_options())
     if (!option.flag.empty())
-      all[column_of(option)] = {option.flag, option.repeatable, option.form.completion == scene::Completion::files,
+      all[column_of(option)] = {option.flag, option.repeatable, option,
                                 option.nature == scene::Nature::code || option.flag == "--sandbox"};
   all["file"] = all["model"] = all["models"];
   return all;
@@ -105,8 +105,9 @@ std::string path_in_table(const scene::TomlValue& value, const TableRow& row) {
   return (fs::path(row.where).parent_path() / text_of(value)).string();
 }
 
-bool names_file(const Column& column, const scene::TomlValue& value) {
-  return column.names_file || (column.flag == "--font" && scene::names_font_file(text_of(value)));
+bool gives_file(const Column& column, const scene::TomlValue& value) {
+  const std::string* text = std::get_if<std::string>(&value.content);
+  return names_file(column.option, text != nullptr ? *text : "");
 }
 
 // What holds for scene files holds for tables: they name only what lies below their folders.
@@ -144,7 +145,7 @@ void append_row(std::vector<Job>& jobs, const TableRow& row, const std::map<std:
         continue;
       }
       later.push_back({column.flag, value});
-      if (!names_file(column, value)) continue;
+      if (!gives_file(column, value)) continue;
       later.back().value.content = path_in_table(value, row);
       flags_of_files.insert(column.flag);
     }

@@ -57,10 +57,16 @@ void expect_ours(QPDF& pdf, const std::string& where) {
                 "epura compares only PDF files that it wrote itself");
 }
 
-}  // namespace
+Attachment attachment_of(Handle place, UnpackRoom& room) {
+  Handle file = place.getKey("/EF").getKey("/UF");
+  const bool is_source = place.getKey("/AFRelationship").isNameAndEquals("/Source");
+  return {place.getKey("/UF").getUTF8Value(), file.getDict().getKey("/Subtype").getName().substr(1),
+          place.getKey("/Desc").getUTF8Value(), is_source ? Relation::source : Relation::data, room.unpack(file)};
+}
 
-std::vector<PdfContent> read_pdf_contents(const std::string& bytes, const std::string& where) {
-  std::vector<PdfContent> pages;
+// Calls `read(pdf, room)` for a file that epura wrote.
+template <class Read>
+void read_ours(const std::string& bytes, const std::string& where, const Read& read) {
   try {
     check_packing(bytes, where);
     QPDF pdf;
@@ -70,18 +76,37 @@ std::vector<PdfContent> read_pdf_contents(const std::string& bytes, const std::s
     check_object_streams(pdf, bytes.size(), where);
     expect_ours(pdf, where);
     UnpackRoom room(64'000'000 + 16 * bytes.size(), where);
+    read(pdf, room);
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& kind) {
+    throw Error(ErrorKind::input, where, std::string("is not a readable PDF: ") + kind.what());
+  }
+}
+
+}  // namespace
+
+std::vector<PdfContent> read_pdf_contents(const std::string& bytes, const std::string& where) {
+  std::vector<PdfContent> pages;
+  read_ours(bytes, where, [&](QPDF& pdf, UnpackRoom& room) {
     for (Handle page : pdf.getRoot().getKey("/Pages").getKey("/Kids").getArrayAsVector()) {
       if (page.hasKey("/Kids"))
         throw Error(ErrorKind::input, where, "has nested page groups",
                     "epura compares only PDF files that it wrote itself");
       pages.push_back(content_of(page, room));
     }
-  } catch (const Error&) {
-    throw;
-  } catch (const std::exception& kind) {
-    throw Error(ErrorKind::input, where, std::string("is not a readable PDF: ") + kind.what());
-  }
+  });
   return pages;
+}
+
+std::vector<Attachment> read_pdf_attachments(const std::string& bytes, const std::string& where) {
+  std::vector<Attachment> attachments;
+  read_ours(bytes, where, [&](QPDF& pdf, UnpackRoom& room) {
+    Handle associated = pdf.getRoot().getKey("/AF");
+    if (!associated.isArray()) return;
+    for (Handle place : associated.getArrayAsVector()) attachments.push_back(attachment_of(place, room));
+  });
+  return attachments;
 }
 
 }  // namespace epura::output

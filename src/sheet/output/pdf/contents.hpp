@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "output/attachments.hpp"
+
 namespace epura::output {
 
 /// Content streams are uncompressed. ISO 32000-1, 7.8.2.
@@ -18,5 +20,8 @@ struct PdfContent {
 
 /// One for each page. Throws Error{input}, also for files that unpack to more data than drawings have.
 std::vector<PdfContent> read_pdf_contents(const std::string& bytes, const std::string& where);
+
+/// The files that it carries, by name; the names may be any. Throws the same.
+std::vector<Attachment> read_pdf_attachments(const std::string& bytes, const std::string& where);
 
 }  // namespace epura::output

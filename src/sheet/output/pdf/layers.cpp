@@ -168,6 +168,43 @@ void add_information(QPDF& pdf, const PdfDocument& document) {
   pdf.getTrailer().replaceKey("/Info", information);
 }
 
+// One place for its name, and the file itself.
+Handle add_file(QPDF& pdf, const Attachment& attachment) {
+  Handle file = Handle::newStream(&pdf, attachment.bytes);
+  file.getDict().replaceKey("/Type", Handle::newName("/EmbeddedFile"));
+  file.getDict().replaceKey("/Subtype", Handle::newName("/" + attachment.media_type));
+  Handle parameters = Handle::newDictionary();
+  parameters.replaceKey("/Size", Handle::newInteger(static_cast<long long>(attachment.bytes.size())));
+  file.getDict().replaceKey("/Params", parameters);
+  Handle versions = Handle::newDictionary();
+  Handle place = pdf.makeIndirectObject(Handle::newDictionary());
+  place.replaceKey("/Type", Handle::newName("/Filespec"));
+  for (const char* key : {"/F", "/UF"}) {
+    place.replaceKey(key, Handle::newUnicodeString(attachment.name));
+    versions.replaceKey(key, file);
+  }
+  place.replaceKey("/EF", versions);
+  place.replaceKey("/Desc", Handle::newUnicodeString(attachment.description));
+  place.replaceKey("/AFRelationship", Handle::newName("/" + std::string(name_of(attachment.relation))));
+  return place;
+}
+
+void add_attachments(QPDF& pdf, const std::vector<Attachment>& attachments) {
+  if (attachments.empty()) return;
+  Handle names = Handle::newArray(), associated = Handle::newArray();
+  for (const Attachment& attachment : attachments) {
+    Handle place = add_file(pdf, attachment);
+    names.appendItem(Handle::newUnicodeString(attachment.name));
+    names.appendItem(place);
+    associated.appendItem(place);
+  }
+  Handle files = Handle::newDictionary(), by_kind = Handle::newDictionary();
+  files.replaceKey("/Names", names);
+  by_kind.replaceKey("/EmbeddedFiles", files);
+  pdf.getRoot().replaceKey("/Names", by_kind);
+  pdf.getRoot().replaceKey("/AF", associated);
+}
+
 std::string bytes_of(QPDF& pdf) {
   QPDFWriter writer(pdf);
   writer.setOutputMemory();
@@ -198,6 +235,7 @@ std::string join_pdf_layers(const PdfDocument& document) {
   add_optional_content(pdf, groups);
   add_bookmarks(pdf, document.pages, pages);
   add_information(pdf, document);
+  add_attachments(pdf, document.attachments);
   return bytes_of(pdf);
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "output/attachments.hpp"
+
 namespace epura::output {
 
 /// A named view of a page.
@@ -25,12 +27,14 @@ struct PdfPage {
 
 struct PdfDocument {
   std::vector<PdfPage> pages;
-  std::string title, author, subject;  ///< empty: not given
+  std::string title, author, subject;     ///< empty: not given
+  std::vector<Attachment> attachments{};  ///< sorted by name
 };
 
 /// Each layer is a content stream of its page, in an optional content group of its name (ISO 32000-1, 7.7.3 and 8.11);
 /// names that an earlier page already has get a number. (Simple programs find no texts in form XObjects.) Bookmarks are
-/// outlines (12.3.3). There is no date, and the identifier is derived from the contents.
+/// outlines (12.3.3). Attachments are embedded files of the document with their relation (ISO 19005-3, 6.8). There is
+/// no date, and the identifier is derived from the contents.
 std::string join_pdf_layers(const PdfDocument& document);
 
 }  // namespace epura::output

@@ -16,6 +16,7 @@ namespace epura::output {
 struct PdfLibrary {
   decltype(&join_pdf_layers) join_layers;
   decltype(&read_pdf_contents) read_contents;
+  decltype(&read_pdf_attachments) read_attachments;
 };
 
 /// Throws Error{output} if the library is not where it was installed.
