@@ -210,6 +210,55 @@ inline std::string tube_with_holes(const std::vector<double>& angles, double hei
   return model.obj();
 }
 
+/// A shaft about z with flat-bottomed holes towards its axis, which end `floor` from it, each in a sector of its own.
+inline std::string shaft_with_blind_holes(const std::vector<double>& angles, double height, double radius,
+                                          double floor) {
+  constexpr double outer = 20, length = 40;
+  constexpr int rings = 8;
+  Model model;
+  const std::size_t count = angles.size();
+  for (std::size_t s = 0; s < count; ++s) {
+    const double middle = angles[s], before = angles[(s + count - 1) % count] - (s == 0 ? 360 : 0),
+                 after = angles[(s + 1) % count] + (s + 1 == count ? 360 : 0);
+    const double from = (middle + before) / 2, to = (middle + after) / 2;
+    const Loop border = square({from, 0}, {to - from, length}), rim = circle({0, 0}, radius, -135);
+    const auto at = [&](int ring, std::size_t i) {
+      const Vec2 mouth(middle + std::asin(rim[i].x / outer) * 180 / std::numbers::pi, height + rim[i].y);
+      const Vec2 p = mouth + (border[i] - mouth) * (double(ring) / rings);
+      return Vec3(outer * cosine(p.x), outer * sine(p.x), p.y);
+    };
+    const auto below = [&](std::size_t i) {
+      return Vec3(floor * cosine(middle) - rim[i].x * sine(middle), floor * sine(middle) + rim[i].x * cosine(middle),
+                  height + rim[i].y);
+    };
+    std::vector<Vec3> bottom;
+    for (std::size_t i = 0; i < border.size(); ++i) {
+      const std::size_t j = (i + 1) % border.size();
+      for (int ring = 0; ring < rings; ++ring) {
+        model.face({at(ring + 1, i), at(ring + 1, j), at(ring, j)});
+        model.face({at(ring + 1, i), at(ring, j), at(ring, i)});
+      }
+      model.face({at(0, i), at(0, j), below(j), below(i)});
+      bottom.push_back(below(i));
+      if (border[i].y == border[j].y) model.face({at(rings, j), at(rings, i), Vec3(0, 0, border[i].y)});
+    }
+    model.face(bottom);
+  }
+  return model.obj();
+}
+
+/// Depths are those below the shaft, where the axis of the hole meets it.
+inline std::vector<KnownPart> shafts_with_blind_holes() {
+  std::vector<KnownPart> parts;
+  for (int i = 0; i < variants; ++i) {
+    const double first = 5 + i, height = 12 + 0.5 * i, floor = 8 + 0.25 * i;
+    parts.push_back({"radial blind holes " + number(floor) + " from the axis",
+                     shaft_with_blind_holes({first, first + 120, first + 240}, height, 2.5, floor),
+                     {"40", "⌀40", "3× ⌀5 ↧" + number(20 - floor), number(height), number(first) + "°", "3× 120°"}});
+  }
+  return parts;
+}
+
 inline std::vector<KnownPart> tubes_with_radial_holes() {
   std::vector<KnownPart> parts;
   for (int i = 0; i < variants; ++i) {

@@ -55,7 +55,8 @@ class HoleReader {
     design.reach = end_of(pieces) - mouth;
     const bool certain = !(shut_low && shut_high);
     if (certain && interpret(pieces, design)) {
-      if (!design.through && has_plane(axis, glm::dot(design.mouth, axis))) design.depth = end_of_bore(pieces) - mouth;
+      if (const auto above = design.through ? std::nullopt : face_above_mouth(design, body))
+        design.depth = end_of_bore(pieces) - mouth + *above;
       described.holes.push_back(design);
       return;
     }
@@ -120,10 +121,19 @@ class HoleReader {
     return std::max(together * part_.tolerance, together_in_world * glm::length(world_.box.size()));
   }
 
-  // Whether there is a plane face perpendicular to the axis at this place along it.
-  [[nodiscard]] bool has_plane(const Vec3& axis, double at) const {
-    return std::any_of(part_.faces.begin(), part_.faces.end(),
-                       [&](const surfaces::PartFace& face) { return is_plane_at(face.surface, axis, at); });
+  // How far above its mouth, along its axis, a hole begins, in a plane face or a round one that are perpendicular to the
+  // axis there: where facets of a round face are cut, the mouth lies below it. Nothing if there is no such face.
+  [[nodiscard]] std::optional<double> face_above_mouth(const HoleFeature& hole, int body) const {
+    const double at = glm::dot(hole.mouth, hole.axis);
+    for (const surfaces::PartFace& face : part_.faces) {
+      if (is_plane_at(face.surface, hole.axis, at)) return 0;
+      if (face.body != body || !world::is_round(face.surface.kind)) continue;
+      const surfaces::Nearness near = surfaces::nearness_of(face.surface, hole.mouth);
+      if (std::abs(near.distance) <= 2 * face.sagitta + 10 * slack() && are_parallel(near.normal, hole.axis) &&
+          near.normal != Vec3(0))
+        return glm::dot(near.normal, hole.axis) > 0 ? -near.distance : near.distance;
+    }
+    return std::nullopt;
   }
   [[nodiscard]] bool is_plane_at(const surfaces::PartSurface& surface, const Vec3& axis, double at) const {
     return surface.kind == SurfaceKind::plane && are_parallel(surface.axis, axis) &&

@@ -50,6 +50,7 @@ TEST_F(MissingSizes, OfRoundEnds) { expect_known(round_ends()); }
 TEST_F(MissingSizes, OfTongues) { expect_known(tongues()); }
 TEST_F(MissingSizes, OfLinks) { expect_known(links()); }
 TEST_F(MissingSizes, OfRadialHoles) { expect_known(tubes_with_radial_holes()); }
+TEST_F(MissingSizes, OfRadialBlindHoles) { expect_known(shafts_with_blind_holes()); }
 TEST_F(MissingSizes, OfHolesInSlopes) { expect_known(wedges_with_holes()); }
 TEST_F(MissingSizes, OfPairsInSlopes) { expect_known(wedges_with_pairs()); }
 TEST_F(MissingSizes, OfUnevenPitchCircles) { expect_known(uneven_pitch_circles()); }
