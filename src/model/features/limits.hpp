@@ -10,7 +10,6 @@ namespace epura::features {
 
 inline constexpr double parallel = 1e-4;  ///< sine of the angle between directions, cosine of that to a right one
 inline constexpr double nearly_parallel = 1e-3;  ///< sine, of axes: those of short faces are less exact
-inline constexpr double surely_parallel = 1e-9;  ///< sine: rounding alone
 inline constexpr double opposite_cosine = 0.99;  ///< of 8 degrees: the ends of a slot face each other
 inline constexpr double same_size = 1e-4;        ///< relative
 inline constexpr double same_point = 1e-6;       ///< relative to a radius, or to the size of the world

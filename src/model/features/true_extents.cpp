@@ -34,7 +34,7 @@ class Outward {
     }
     const Vec3 out = direction - glm::dot(direction, axis_) * axis_;
     steepness_ = glm::length(out);
-    along_axis_ = !(steepness_ > surely_parallel);
+    along_axis_ = !(steepness_ > parallel);
     if (!along_axis_) out_ = out / steepness_;
     side_ = glm::cross(axis_, out_);
     base_ = glm::dot(face.surface.origin, direction);
@@ -235,22 +235,22 @@ class ExtentFinder {
     }
     for (int t = first; t < last; ++t) {
       const int face = faces[t - first];
-      for (int end = 0; end < 6; ++end) add_vertices(t, end);
+      for (int end = 0; end < 6; ++end) add_vertices(t, face < 0, end);
       if (face >= 0) add_facet(parts_[model]->faces[face], turned[face] != 0, corners_of(world_, t));
     }
   }
 
-  // The corners of a triangle that count themselves. On the rim of an interrupted face, those of planes across the
-  // direction do: of flats.
-  void add_vertices(int triangle, int end) {
+  // The corners of a triangle that count themselves. On the rims of round faces, those of planes across the direction
+  // do: of flats.
+  void add_vertices(int triangle, bool is_plane, int end) {
     const Vec3 direction = direction_of(end);
     const Triangle corners = corners_of(world_, triangle);
     const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const bool is_flat =
-        glm::length(normal - glm::dot(normal, direction) * direction) <= parallel * glm::length(normal);
+        is_plane && glm::length(normal - glm::dot(normal, direction) * direction) <= parallel * glm::length(normal);
     for (int k = 0; k < 3; ++k) {
       const int mark = of_round_[world_.triangles[triangle][k]];
-      if (mark == whole) continue;
+      if (mark == whole && !is_flat) continue;
       const double value = glm::dot(direction, corners[k]);
       if (mark >= first_interrupted) {
         Interrupted& face = interrupted_[mark - first_interrupted];

@@ -72,6 +72,15 @@ TEST(TrueExtents, OfASphere) {
   EXPECT_TRUE(extents[0].is_same_as(extents[2]));
 }
 
+// Its rims belong to the sphere, but the flats are planes.
+TEST(TrueExtents, FlatsOfASphereAreNoDiameter) {
+  const double angle = std::asin(0.8) * 180 / pi;
+  const auto extents =
+      features::true_extents(world_of(revolved(joined({{{0, -8}}, arc({0, 0}, 10, -angle, angle, 24), {{0, 8}}}), 64)));
+  expect_extent(extents[2], -8, 8, length);
+  expect_extent(extents[0], -10, 10, sphere);
+}
+
 TEST(TrueExtents, OfARing) {
   std::vector<Vec2> profile = arc({30, 0}, 8, 4, 364, 23);
   const Part ring = revolved(profile, 41);
