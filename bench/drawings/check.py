@@ -13,6 +13,7 @@ import numpy
 import Part
 
 import ink
+import programs
 import score
 import truth
 from views import VIEWS
@@ -96,7 +97,31 @@ def check_score():
     expect("the length of a lost side", score.score([lost, moved[1]], wanted).errors["missing"][0], 40 - 2 * score.BESIDE, 0.5)
 
 
+def check_limit():
+    """The limit is on work, not on waiting as on a busy machine."""
+    programs.measure(["sleep", "1.5"], 1)
+    try:
+        programs.measure(["python3", "-c", "while True: pass"], 1)
+    except programs.Refusal as refusal:
+        if "processor time" in str(refusal):
+            return
+    sys.exit("check: a program that works for ever is not ended at the limit")
+
+
+def check_bodies():
+    """Bores one above the other, as one compound, leave two discs between them: no body."""
+    touching = Part.makeCompound([Part.makeCylinder(5, 10, Vector(20, 15, z)) for z in (0, 10)])
+    try:
+        truth.refuse_touching(Part.makeBox(40, 30, 20).cut(touching))
+    except ValueError:
+        truth.refuse_touching(Part.makeBox(40, 30, 20).cut(touching.Solids))
+        return
+    sys.exit("check: a body whose faces lie on each other is not refused")
+
+
 folder = pathlib.Path(sys.argv[1])
+check_limit()
+check_bodies()
 check_truth()
 check_readers(folder)
 check_score()

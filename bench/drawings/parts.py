@@ -227,6 +227,17 @@ def dome():
     return ball.fuse(rim).cut(Part.makeCompound([*slanted, *straight, cylinder(5, 40)])).removeSplitter()
 
 
+def pipe():
+    """A quarter of a pipe bend between two flanges with four holes each: a torus seen along its axis and through its bore."""
+    turned = lambda radius: Part.Face(Part.Wire(Part.makeCircle(radius, Vector(45, 0, 0)))).revolve(Vector(0, 0, 0), Y, 90)
+    ends = ((Vector(45, 0, 0), Z, X), (Vector(0, 0, -45), -X, Z))  # a middle, out of the pipe, across it
+    rings = lambda radius: [Part.makeCylinder(radius, 6, place, out) for place, out, _ in ends]
+    holes = [Part.makeCylinder(3, 10, place - out + (across * math.cos(a) + Y * math.sin(a)) * 18, out)
+             for place, out, across in ends for a in (0.7 + k * math.pi / 2 for k in range(4))]
+    # One by one: of a compound, whose bodies must not touch, Open CASCADE leaves discs across the bore.
+    return turned(12).multiFuse(rings(24)).cut([turned(9), *rings(9), *holes]).removeSplitter()
+
+
 MADE = {part.__name__: part for part in (
     bracket, flange, shaft, tee, rounded, housing, cone, link, elbow, duct, stud, sheet, casting, clamp, engraved,
-    gear, bottle, knob, dome)}
+    gear, bottle, knob, dome, pipe)}

@@ -15,6 +15,7 @@ import subprocess
 import typing
 
 HERE = pathlib.Path(__file__).resolve().parent
+WAITING = 20  # times the limit of processor time, until a program that only waits is ended
 
 
 @dataclasses.dataclass
@@ -56,15 +57,18 @@ class Refusal(Exception):
 
 
 def timed(command, limit):
-    """Runs a command; its processor time and its memory, or a refusal. It and what it starts are ended at the limit."""
+    """Runs a command to its end, or a refusal. It ends at the limit, whichever of its threads took the time, and so does each process that it starts."""
+    limits = lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 1))
     with open(os.devnull) as nothing, subprocess.Popen(
-            command, stdin=nothing, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True) as process:
+            command, stdin=nothing, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True, preexec_fn=limits) as process:
         try:
-            _, says = process.communicate(timeout=limit)
+            _, says = process.communicate(timeout=WAITING * limit)
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
             process.communicate()
-            raise Refusal(f"no drawing in {limit} s") from None
+            raise Refusal(f"no drawing after {WAITING * limit} s, busy or not") from None
+    if process.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
+        raise Refusal(f"no drawing in {limit} s of processor time")
     if process.returncode:
         lines = says.decode("utf-8", "replace").strip().splitlines() or ["no reason given"]
         raise Refusal(f"exit code {process.returncode}: {lines[-1][:100]}")
@@ -138,7 +142,7 @@ def openscad(task, limit):
 class Program:
     name: str
     source: str  # what it draws
-    run: typing.Callable  # (task, seconds of limit) -> drawing, (seconds, megabytes)
+    run: typing.Callable  # (task, limit in seconds of processor time) -> drawing, (seconds, megabytes)
     version: typing.Sequence  # a command that says it, or words
 
 

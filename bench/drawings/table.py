@@ -14,7 +14,7 @@ import score
 from views import VIEWS, axes_of
 
 HERE = pathlib.Path(__file__).resolve().parent
-TIME_LIMIT = 120  # s for a view; the slowest rival that ends needs a tenth of it
+TIME_LIMIT = 120  # s of processor time for a view; the slowest rival that ends needs a tenth of it
 LEAST = 0.5  # mm of an error that is told; less are ends of lines that turn from visible to hidden elsewhere by rounding
 GOOD = 0.99  # what falls below it is an error to be shown
 

@@ -189,8 +189,19 @@ def half_of(shape, cut):
     return Part.makeCompound([solid.common(behind) for solid in shape.Solids])  # those that touch are not cut as one
 
 
+def refuse_touching(shape):
+    """A body whose faces lie on each other has no inside there, and no drawing is right or wrong."""
+    for solid in shape.Solids:
+        try:
+            solid.check(True)
+        except ValueError as error:  # of other kinds, as where a curve lies 1e-6 mm beside its surface, no drawing tells
+            if "SelfIntersect" in str(error):
+                raise ValueError("faces of the part lie on each other or cross") from error
+
+
 def write(shape, path):
     """As STEP and STL; gives back what others read from the STEP file."""
+    refuse_touching(shape)
     shape.exportStep(f"{path}.step")
     Part.read(f"{path}.step").exportStl(f"{path}.stl", shape.BoundBox.DiagonalLength / USUAL_FINENESS)
     return Part.read(f"{path}.step")
