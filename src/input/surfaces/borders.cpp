@@ -160,15 +160,38 @@ class BorderFinder {
     return {glm::dot(normal, facing) < 0 ? -normal : normal, 0};
   }
 
-  // The greatest angle in degrees by which a free form turns from the middle of a facet to its side.
-  [[nodiscard]] double half_turn_of(int facet) const {
-    double least = 1;
-    facets_.for_sides(facet, [&](int t, int side, int other) {
-      if (region_of_[other] != region_of_[facet]) return;
+  // Whether the second triangle, which has a side in common with the first one, lies behind that.
+  [[nodiscard]] bool is_convex(int first, int second) const {
+    const auto& own = facets_.corners[first];
+    const Vec3& normal = facets_.facets[facets_.facet_of[first]].normal;
+    double height = 0;
+    for (const int v : facets_.corners[second])
+      if (std::find(own.begin(), own.end(), v) == own.end())
+        height = glm::dot(normal, facets_.points[v] - facets_.points[own[0]]);
+    return height < 0;
+  }
+
+  // The greatest angle in degrees by which a free form turns about a border from the middle of a facet to its side, the
+  // same way as at the border. The fold behind a facet may be one of its neighbours': that of the other half of a
+  // quadrilateral.
+  [[nodiscard]] double half_turn_of(int facet, const Vec3& along, bool convex) const {
+    double most = 0;
+    const auto look = [&](int t, int side) {
       const double cosine = facets_.cosine_of_fold(t, side);
-      if (cosine > fading_cosine) least = std::min(least, cosine);
+      if (cosine <= fading_cosine || is_convex(t, facets_.sides[t][side].neighbour) != convex) return;
+      const auto [a, b] = facets_.ends_of(t, side);
+      const double along_border = std::abs(glm::dot(b - a, along)) / glm::distance(a, b);
+      most = std::max(most, std::sqrt(2 * std::max(0.0, 1 - cosine)) * along_border);
+    };
+    const int own = region_of_[facet];
+    facets_.for_sides(facet, [&](int t, int side, int other) {
+      if (region_of_[other] != own) return;
+      look(t, side);
+      facets_.for_sides(other, [&](int u, int k, int next) {
+        if (region_of_[next] == own) look(u, k);
+      });
     });
-    return std::sqrt(2 * (1 - least)) * degrees * 0.75;
+    return most * degrees * 0.75;
   }
 
   // Facets of a free form tilt, and the vertices of a narrow face determine its normals poorly. Either only increases
@@ -177,8 +200,12 @@ class BorderFinder {
     const auto is_free = [&](int t) {
       return regions_[region_of_[facets_.facet_of[t]]].surface.kind == SurfaceKind::free_form;
     };
-    const auto half_turn = [&](int t) { return is_free(t) ? half_turn_of(facets_.facet_of[t]) : 0; };
-    const std::array<double, 2> half_turns{half_turn(triangles[0]), half_turn(triangles[1])};
+    const Vec3 along = glm::normalize(facets_.points[edge.vertex[1]] - facets_.points[edge.vertex[0]]);
+    const auto half_turn = [&](int t, int other) {
+      return is_free(t) ? half_turn_of(facets_.facet_of[t], along, is_convex(t, other)) : 0;
+    };
+    const std::array<double, 2> half_turns{half_turn(triangles[0], triangles[1]),
+                                           half_turn(triangles[1], triangles[0])};
     const double angle = angle_at(edge, triangles, false, half_turns);
     if (angle <= tangent_angle_ || (!is_free(triangles[0]) && !is_free(triangles[1]))) return angle;
     return std::min(angle, angle_at(edge, triangles, true, half_turns));

@@ -38,9 +38,9 @@ bool is_within_chords(const Facets& facets, int facet, const Region& region) {
 }
 
 bool is_trimmed_piece(const Facets& facets, int facet, const Region& region) {
-  const double trimmed = max_trimmed * facets.tolerance;
-  return is_chord(facets, facet, region.surface, std::min(region.sagitta / 8, trimmed), region.sagitta) ||
-         approximates(facets, facet, region.surface, std::min(region.sagitta, trimmed), region.sagitta) ||
+  const double most = std::min(region.sagitta, max_trimmed * facets.tolerance);
+  return is_chord(facets, facet, region.surface, trimmed_allowance_of(facets, region.sagitta), region.sagitta) ||
+         approximates(facets, facet, region.surface, most, region.sagitta) ||
          (is_within_chords(facets, facet, region) &&
           approximates(facets, facet, region.surface, 2 * region.sagitta, region.sagitta));
 }

@@ -241,10 +241,13 @@ bool lies_on(const Facets& facets, const Region& region, const PartSurface& surf
                      [&](int f) { return approximates(facets, f, surface, allowance, sagitta); });
 }
 
-bool are_chords(const Facets& facets, const Region& some, const Region& of) {
-  const double allowance = allowance_of(facets, of.sagitta);
+bool are_chords(const Facets& facets, const Region& some, const Region& of, double allowance) {
   return std::all_of(some.facets.begin(), some.facets.end(),
                      [&](int f) { return is_chord(facets, f, of.surface, allowance, of.sagitta); });
+}
+
+bool are_chords(const Facets& facets, const Region& some, const Region& of) {
+  return are_chords(facets, some, of, allowance_of(facets, of.sagitta));
 }
 
 // Where the normal of a torus is parallel to its axis, its facets form a flat ring, or parts of it.
@@ -263,6 +266,47 @@ bool is_one_face(const Facets& facets, const Region& one, const Region& two) {
   if (smaller.surface.kind == SurfaceKind::plane) return is_ring_of_torus(facets, smaller, larger);
   return lies_on(facets, smaller, larger.surface, larger.sagitta) ||
          (2 * smaller.facets.size() < larger.facets.size() && are_chords(facets, smaller, larger));
+}
+
+std::size_t count_distinct(std::vector<int>& numbers) {
+  std::sort(numbers.begin(), numbers.end());
+  return static_cast<std::size_t>(std::unique(numbers.begin(), numbers.end()) - numbers.begin());
+}
+
+// Whether all vertices of a region lie on its border.
+bool has_no_vertex_inside(const Facets& facets, const std::vector<int>& region_of, const Region& region, int number) {
+  std::vector<int> all, ends;
+  for (const int f : region.facets) {
+    facets.for_sides(f, [&](int t, int side, int other) {
+      if (region_of[other] == number) return;
+      ends.push_back(facets.corners[t][side]);
+      ends.push_back(facets.corners[t][(side + 1) % 3]);
+    });
+    const auto vertices = facets.vertices_of(f);
+    all.insert(all.end(), vertices.begin(), vertices.end());
+  }
+  return count_distinct(ends) == count_distinct(all);
+}
+
+// Whether a region is a row of another one's facets: two circles about one axis lie on a cone, whatever lies between
+// them. The vertices of an inexact face lie off its surface, but not off those of its rows. A row that continues the
+// other face without an edge may be a face by itself.
+bool is_row_of(const Facets& facets, const Regions& found, int row, int face) {
+  const Region &some = found.regions[row], &of = found.regions[face];
+  const SurfaceKind kind = of.surface.kind;
+  if (kind == SurfaceKind::plane || kind == SurfaceKind::free_form || some.surface.kind == SurfaceKind::plane ||
+      some.surface.kind == SurfaceKind::free_form || 2 * some.facets.size() >= of.facets.size())
+    return false;
+  bool folds = false;
+  for (const int f : some.facets)
+    facets.for_sides(f, [&](int t, int side, int other) {
+      if (found.region_of[other] != face) return;
+      const Vec3 end = facets.ends_of(t, side)[0];
+      const double cosine = std::abs(glm::dot(normal_near(some.surface, end), normal_near(of.surface, end)));
+      folds = folds || cosine < tangent_cosine;
+    });
+  return folds && has_no_vertex_inside(facets, found.region_of, some, row) &&
+         are_chords(facets, some, of, trimmed_allowance_of(facets, of.sagitta));
 }
 
 /// Finds strips of spheres, cylinders and cones that are rows of a free form's tessellation. Two circles about one axis
@@ -360,25 +404,13 @@ class Rows {
 
   [[nodiscard]] bool is_strip_of_sphere(const Region& region, int number) const {
     if (region.surface.kind != SurfaceKind::sphere) return false;
-    std::size_t at_border = 0;
-    std::vector<int> all, ends;
-    for (const int f : region.facets) {
-      const std::size_t before = ends.size();
-      facets_.for_sides(f, [&](int t, int side, int other) {
-        if (region_of_[other] == number) return;
-        ends.push_back(facets_.corners[t][side]);
-        ends.push_back(facets_.corners[t][(side + 1) % 3]);
-      });
-      at_border += ends.size() > before ? 1 : 0;
-      const auto vertices = facets_.vertices_of(f);
-      all.insert(all.end(), vertices.begin(), vertices.end());
-    }
-    return 10 * at_border > 9 * region.facets.size() && count_distinct(ends) == count_distinct(all);
-  }
-
-  static std::size_t count_distinct(std::vector<int>& numbers) {
-    std::sort(numbers.begin(), numbers.end());
-    return static_cast<std::size_t>(std::unique(numbers.begin(), numbers.end()) - numbers.begin());
+    const auto at_border = std::count_if(region.facets.begin(), region.facets.end(), [&](int f) {
+      bool is_at_border = false;
+      facets_.for_sides(f, [&](int, int, int other) { is_at_border = is_at_border || region_of_[other] != number; });
+      return is_at_border;
+    });
+    return 10 * at_border > 9 * static_cast<std::ptrdiff_t>(region.facets.size()) &&
+           has_no_vertex_inside(facets_, region_of_, region, number);
   }
 
   void add_side(Strip& strip, const PartSurface& surface, int triangle, int side) const {
@@ -517,13 +549,23 @@ Regions merge_regions(const Facets& facets, Regions found) {
   neighbours.erase(std::unique(neighbours.begin(), neighbours.end()), neighbours.end());
   DisjointSets sets(regions.size());
   const auto is_plane = [&](int r) { return regions[r].surface.kind == SurfaceKind::plane; };
-  std::vector<char> is_taken(regions.size(), 0);  // a flat of a round face does not connect it with another
+  std::vector<char> is_taken(regions.size(), 0);  // a flat or row of a round face does not connect it with another
+  const auto join_piece = [&](int piece, int face) {
+    if (std::exchange(is_taken[piece], 1) == 0) sets.join(piece, face);
+  };
   const auto join = [&](int one, int two) {
-    if (is_plane(one) != is_plane(two) && std::exchange(is_taken[is_plane(one) ? one : two], 1) != 0) return;
-    sets.join(one, two);
+    if (is_plane(one) == is_plane(two))
+      sets.join(one, two);
+    else
+      join_piece(is_plane(one) ? one : two, is_plane(one) ? two : one);
   };
   for (const auto& [one, two] : neighbours)
-    if (is_one_face(facets, regions[one], regions[two])) join(one, two);
+    if (is_one_face(facets, regions[one], regions[two]))
+      join(one, two);
+    else if (is_row_of(facets, found, one, two))
+      join_piece(one, two);
+    else if (is_row_of(facets, found, two, one))
+      join_piece(two, one);
   for (int r = 0; r < static_cast<int>(regions.size()); ++r) {
     if (!is_plane(r) || regions[r].facets.size() > 1) continue;
     if (const int round = region_around(facets, regions[r].facets.front(), region_of, regions); round >= 0)

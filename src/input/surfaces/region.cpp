@@ -27,6 +27,10 @@ double allowance_of(const Facets& facets, double sagitta) {
   return std::clamp(sagitta / 64, usual_slack * facets.tolerance, max_allowance * facets.tolerance);
 }
 
+double trimmed_allowance_of(const Facets& facets, double sagitta) {
+  return std::min(sagitta / 8, max_trimmed * facets.tolerance);
+}
+
 namespace {
 
 // The angle of a point around the axis of a surface, or around the tube of a torus, from 0 to a full turn.

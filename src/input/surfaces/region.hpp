@@ -41,6 +41,9 @@ struct Regions {
 /// accepted as long as the residual of the fit is much smaller than the sagitta.
 double allowance_of(const Facets& facets, double sagitta);
 
+/// The same for vertices on a border that was trimmed along an inexact curve.
+double trimmed_allowance_of(const Facets& facets, double sagitta);
+
 /// Whether a facet approximates the surface near it: its vertices lie on the surface, and its normal differs from that
 /// of the surface by no more than half a step of a coarse tessellation. The normals of very thin facets are ignored.
 bool approximates(const Facets& facets, int facet, const PartSurface& surface, double allowance, double sagitta);

@@ -67,6 +67,73 @@ TEST(Borders, TiltedFacetsDoNotMakeAFilletEndSharply) {
   }
 }
 
+/// A boss on a plate with a fillet of 10 around its foot, of so many rows of facets. The circle between the fillet and
+/// the plate lies off the torus by `off`; beyond it, a plain slope of so many degrees leads `width` far to the plate.
+Part boss(int rows, double off, double slope = 0, double width = 0) {
+  const double floor = -off - width * std::tan(slope * pi / 180);
+  std::vector<Vec2> profile{{160, floor}, {139.6 + width, floor}};
+  if (width > 0) profile.push_back({139.6, -off});
+  const std::vector<Vec2> fillet = arc({139.6, 10}, 10, -90, -180, rows);
+  profile.insert(profile.end(), fillet.begin() + 1, fillet.end());
+  profile.push_back({129.6, 40});
+  return revolved(profile, 72).triangulate().round_to_float();
+}
+
+std::vector<double> sharp_angles(const Part& part) {
+  std::vector<double> angles;
+  for (const surfaces::PartBorder& border : surfaces::recognise_faces(part.mesh()).borders)
+    if (border.kind == surfaces::BorderKind::sharp) angles.push_back(border.angle);
+  return angles;
+}
+
+// Its first row is exactly a cone, of which 75 mm stood in the drawing of a pump's cover.
+TEST(Borders, RowsOfAnInexactFilletAreNoCones) {
+  for (const int rows : {4, 5, 6})
+    for (const double off : {0.001, 0.002}) {
+      const surfaces::PartFaces faces = surfaces::recognise_faces(boss(rows, off).mesh());
+      EXPECT_EQ(faces.faces.size(), 3U) << rows << ' ' << off;
+      EXPECT_EQ(sharp_angles(boss(rows, off)), std::vector<double>()) << rows << ' ' << off;
+    }
+}
+
+TEST(Borders, SlopesBesideAFilletAreCones) {
+  for (const double slope : {10.0, 20.0, 45.0})
+    for (const double width : {0.5, 2.0}) {
+      const std::vector<double> angles = sharp_angles(boss(6, 0, slope, width));
+      ASSERT_EQ(angles.size(), 2U) << slope << ' ' << width;
+      for (const double angle : angles) EXPECT_NEAR(angle, slope, 0.1);
+    }
+}
+
+/// The foot of that boss with a fillet of 5 whose vertices lie off any torus; `edge` degrees between it and the plate.
+Part wavy_boss(int rows, double off, double edge) {
+  Part part = boss(rows, 0);
+  return part
+      .move([&](const Vec3& p) {
+        const double away = std::hypot(p.x, p.y), around = std::atan2(p.y, p.x);
+        if (away > 139.599) return Vec3(p.x, p.y, -(away - 139.6) * std::tan(edge * pi / 180));
+        const double height = p.z > 9.999 ? p.z - 5 : p.z / 2, from = p.z > 9.999 ? away + 5 : (away + 139.6) / 2;
+        const bool inside = p.z > 0.001 && p.z < 9.999;
+        const double moved = from + (inside ? off * std::sin(3 * around + 40 * p.z) : 0);
+        return Vec3(p.x * moved / away, p.y * moved / away, height);
+      })
+      .round_to_float();
+}
+
+// The two halves of a quadrilateral are not one facet there, and only one of them has the next row beside it.
+TEST(Borders, AFreeFormTurnsAsFarAsTheNextRowTells) {
+  for (const int rows : {5, 6, 8})
+    for (const double off : {0.004, 0.008}) EXPECT_EQ(sharp_angles(wavy_boss(rows, off, 0)), std::vector<double>());
+}
+
+TEST(Borders, AFreeFormMeetsASlopeSharply) {
+  for (const int rows : {5, 6, 8})
+    for (const double edge : {20.0, 30.0}) {
+      const std::vector<double> angles = sharp_angles(wavy_boss(rows, 0.008, edge));
+      EXPECT_EQ(angles.size(), 1U) << rows << ' ' << edge;
+    }
+}
+
 // A rounded plug in a housing: where flats run into fillets on the face at which they touch, four triangles meet.
 TEST(Borders, OfBodiesThatTouchAreThoseOfEach) {
   constexpr int steps = 8;
