@@ -171,10 +171,9 @@ class BorderFinder {
     return height < 0;
   }
 
-  // The greatest angle in degrees by which a free form turns about a border from the middle of a facet to its side, the
-  // same way as at the border. The fold behind a facet may be one of its neighbours': that of the other half of a
-  // quadrilateral.
-  [[nodiscard]] double half_turn_of(int facet, const Vec3& along, bool convex) const {
+  // The greatest fold in degrees of a face near a facet, about a border, the same way as at the border. The fold behind
+  // a facet may be one of its neighbours': that of the other half of a quadrilateral.
+  [[nodiscard]] double turn_of(int facet, const Vec3& along, bool convex) const {
     double most = 0;
     const auto look = [&](int t, int side) {
       const double cosine = facets_.cosine_of_fold(t, side);
@@ -191,7 +190,19 @@ class BorderFinder {
         if (region_of_[next] == own) look(u, k);
       });
     });
-    return most * degrees * 0.75;
+    return most * degrees;
+  }
+
+  // Whether facets fold at the side of a triangle by no more than those of the round face at one side of it do, to one
+  // part in a hundred, by which folds of a sphere differ. Rounded edges made of facets often begin half a step from the
+  // plane to which they are tangent.
+  [[nodiscard]] bool goes_on(std::span<const int> triangles, const Vec3& along) const {
+    const int side = side_between(triangles[0], triangles[1]);
+    if (side < 0) return false;
+    const double cosine = facets_.cosine_of_fold(triangles[0], side);
+    const double fold = std::sqrt(2 * std::max(0.0, 1 - cosine)) * degrees * 0.99;
+    return fold <= turn_of(facets_.facet_of[triangles[0]], along, is_convex(triangles[0], triangles[1])) ||
+           fold <= turn_of(facets_.facet_of[triangles[1]], along, is_convex(triangles[1], triangles[0]));
   }
 
   // Facets of a free form tilt, and the vertices of a narrow face determine its normals poorly. Either only increases
@@ -202,12 +213,13 @@ class BorderFinder {
     };
     const Vec3 along = glm::normalize(facets_.points[edge.vertex[1]] - facets_.points[edge.vertex[0]]);
     const auto half_turn = [&](int t, int other) {
-      return is_free(t) ? half_turn_of(facets_.facet_of[t], along, is_convex(t, other)) : 0;
+      return is_free(t) ? 0.75 * turn_of(facets_.facet_of[t], along, is_convex(t, other)) : 0;
     };
     const std::array<double, 2> half_turns{half_turn(triangles[0], triangles[1]),
                                            half_turn(triangles[1], triangles[0])};
     const double angle = angle_at(edge, triangles, false, half_turns);
-    if (angle <= tangent_angle_ || (!is_free(triangles[0]) && !is_free(triangles[1]))) return angle;
+    if (angle <= tangent_angle_) return angle;
+    if (!is_free(triangles[0]) && !is_free(triangles[1])) return goes_on(triangles, along) ? 0 : angle;
     return std::min(angle, angle_at(edge, triangles, true, half_turns));
   }
 

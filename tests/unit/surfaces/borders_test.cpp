@@ -166,5 +166,22 @@ TEST(Borders, OfBodiesThatTouchAreThoseOfEach) {
   }
 }
 
+// A block with rounded edges, as sums of a block and a polygon have them: the first facet is a whole step from the
+// plane, but the surface half a step. An edge of the part turns farther.
+TEST(Borders, RoundedEdgesThatBeginHalfAStepLateAreTangent) {
+  for (const double late : {0.5, 2.0}) {
+    constexpr double step = 15;
+    std::vector<Vec2> outline;
+    for (int corner = 0; corner < 4; ++corner) {
+      const Vec2 centre(corner == 0 || corner == 3 ? 30 : 0, corner < 2 ? 20 : 0);
+      const std::vector<Vec2> round =
+          arc(centre, 4, 90 * corner + late * step, 90 * (corner + 1) - late * step, static_cast<int>(6 - 2 * late));
+      outline.insert(outline.end(), round.begin(), round.end());
+    }
+    const surfaces::PartFaces part = surfaces::recognise_faces(prism(outline, 10).mesh());
+    EXPECT_EQ(count(part, surfaces::BorderKind::tangent), late < 1 ? 8 : 0) << late;
+  }
+}
+
 }  // namespace
 }  // namespace epura::test::borders_test
