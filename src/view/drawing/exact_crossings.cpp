@@ -103,7 +103,7 @@ ExactCrossings::ExactCrossings(const PartEdges& edges, const ViewDrawing& drawin
   // Faces of the file are told by models of the scene.
   if (drawing.projection.central || !drawing.cuts.numbers_in_scene.empty()) return;
   for (const Segment& segment : drawing.segments)
-    if (segment.crossing >= 0 && !is_link(segment)) add_crossing(segment);
+    if (segment.crossing >= 0 && segment.kind != EdgeKind::contour && !is_link(segment)) add_crossing(segment);
   if (nodes_.empty()) return;
   for (const Segment& segment : drawing.segments)
     if (segment.kind == EdgeKind::contour && !is_link(segment)) add_contour_ends(segment);
@@ -135,17 +135,20 @@ void ExactCrossings::add_crossing(const Segment& segment) {
 }
 
 void ExactCrossings::add_contour_ends(const Segment& segment) {
-  const PartFace* face = edges_.face_around(segment);
+  // Refinement made it, or it is an edge of the file.
+  const CrossingSegment* made =
+      segment.crossing >= 0 ? &drawing_.crossings[static_cast<std::size_t>(segment.crossing)] : nullptr;
+  const PartFace* face = made != nullptr ? edges_.face_of(made->faces[0]) : edges_.face_around(segment);
   if (face == nullptr || !world::is_round(face->surface.kind)) return;
   const std::array<Vec2, 2> ends{segment.from, segment.to};
   for (std::size_t end = 0; end < 2; ++end) {
     if (segment.t[end] == 0 || segment.t[end] == 1) continue;
-    const int* number = number_of_.find(on_page(edges_.place_on(segment, segment.t[end])));
+    const Vec3 in_mesh = made != nullptr ? made->world[end] : edges_.place_on(segment, segment.t[end]);
+    const int* number = number_of_.find(on_page(in_mesh));
     if (number == nullptr) continue;
     Node& node = nodes_[static_cast<std::size_t>(*number)];
-    if (std::find(node.faces.begin(), node.faces.end(), face) == node.faces.end()) continue;
-    if (std::find(node.contours.begin(), node.contours.end(), face) == node.contours.end())
-      node.contours.push_back(face);
+    if (std::ranges::find(node.faces, face) == node.faces.end()) continue;
+    if (std::ranges::find(node.contours, face) == node.contours.end()) node.contours.push_back(face);
     node.is_cut = false;
     // Where the contour is drawn, which may be on the surface already.
     if (number_of_.find(ends[end]) == nullptr) number_of_.add(ends[end], *number);
