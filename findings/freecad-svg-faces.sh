@@ -4,7 +4,7 @@
 # washer a disc, of a plate with two holes one of the holes and no plate. A face with a square hole is whole. Nothing is said. Believed:
 # all borders of the face, which a laser cutter is to follow.
 . "$(dirname "$(realpath "$0")")/packages.sh"
-debian_packages libfreecad-python3-0.20=0.20.2+dfsg1-4+deb12u1 freecad-common=0.20.2+dfsg1-4+deb12u1 python3-pyside2.qtwidgets python3-pyside2.qtsvg python3-six
+debian_packages libfreecad-python3-0.20=0.20.2+dfsg1-4+deb12u1 freecad-common=0.20.2+dfsg1-4+deb12u1 python3-pyside2.qtwidgets=5.15.8-2+b1 python3-pyside2.qtsvg=5.15.8-2+b1 python3-six=1.16.0-4
 export HOME=$work QT_QPA_PLATFORM=offscreen
 export PYTHONPATH=$work/root/usr/lib/python3/dist-packages:$work/root/usr/lib/freecad-python3/lib:$work/root/usr/share/freecad/Ext:$work/root/usr/share/freecad/Mod/Draft
 cat >faces.py <<'PY'

@@ -5,7 +5,7 @@
 # view box begins, where an inner svg stands and where a use moves its copy, and draws what is hidden. Nothing is said. Believed: as librsvg
 # 2.54 draws them (SVG 1.1, 7.6, 8.3.8 and F.6.6); y points up in FreeCAD, and is turned back here.
 . "$(dirname "$(realpath "$0")")/packages.sh"
-debian_packages libfreecad-python3-0.20=0.20.2+dfsg1-4+deb12u1 freecad-common=0.20.2+dfsg1-4+deb12u1 python3-pyside2.qtwidgets python3-pyside2.qtsvg python3-six
+debian_packages libfreecad-python3-0.20=0.20.2+dfsg1-4+deb12u1 freecad-common=0.20.2+dfsg1-4+deb12u1 python3-pyside2.qtwidgets=5.15.8-2+b1 python3-pyside2.qtsvg=5.15.8-2+b1 python3-six=1.16.0-4
 export HOME=$work QT_QPA_PLATFORM=offscreen
 export PYTHONPATH=$work/root/usr/lib/python3/dist-packages:$work/root/usr/lib/freecad-python3/lib:$work/root/usr/share/freecad/Ext:$work/root/usr/share/freecad/Mod/Draft
 cat >svg.py <<'PY'
