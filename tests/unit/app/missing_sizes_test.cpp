@@ -41,6 +41,15 @@ class MissingSizes : public testing::Test {
   }
 };
 
+// Both sides of it are one line.
+TEST_F(MissingSizes, OfThinMetal) {
+  std::vector<KnownPart> foils;
+  for (int i = 1; i <= variants; ++i)
+    foils.push_back({"foil " + number(0.01 * i),
+                     block({{0, 0}, {200, 0}, {200, 150}, {0, 150}}, 0.01 * i),
+                     {"200", "150", number(0.01 * i)}});
+  expect_known(foils);
+}
 TEST_F(MissingSizes, OfNotches) { expect_known(v_notches()); }
 TEST_F(MissingSizes, OfPlanesBetweenSlopes) { expect_known(planes_between_slopes()); }
 TEST_F(MissingSizes, OfSlopesToRoundedCorners) { expect_known(slopes_to_rounded_corners()); }

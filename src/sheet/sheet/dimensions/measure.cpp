@@ -371,9 +371,16 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
   const double beside =
       2 * (sight.drawing.distances.contours_moved + sight.drawing.distances.joined_within) / glm::length(image);
   const double least = value - dimension.beyond_vertices - dimension.unevenness - beside;
-  if (!(drawn > 0) || drawn < least - whole_ink * value || drawn > value + beside + whole_ink * value)
+  if (sight.drawing.segments.empty() || drawn < least - whole_ink * value ||
+      drawn > value + beside + whole_ink * value)
     refuse_measure(dimension, "the view does not show all of the models along this axis",
                    "omit --near and --far, and include contour in --edges");
+  // Both sides of a sheet of metal may be one line.
+  if (!(drawn > 0))
+    for (const int end : {0, 1}) {
+      ends[end] += (end - 0.5) * value * image;
+      whole_ends[end] += (end - 0.5) * value * image;
+    }
   const std::string sign = dimension.form == features::ExtentForm::length   ? ""
                            : dimension.form == features::ExtentForm::sphere ? "S" + sight.notation.diameter
                                                                             : sight.notation.diameter;
