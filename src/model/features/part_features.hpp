@@ -88,7 +88,7 @@ struct ArcFeature {
 struct ConeFeature {
   int model;
   std::array<Vec3, 2> ends;       ///< on its axis; the first one is that of the smaller circle
-  std::array<double, 2> radii;    ///< at its ends
+  std::array<double, 2> radii;    ///< at its ends; 0 at a tip
   Vec3 axis;                      ///< unit
   double angle;                   ///< between its side and the axis, degrees
   std::array<bool, 2> rounded{};  ///< whether a rounded edge continues it tangentially at its ends

@@ -258,6 +258,7 @@ Cones cones_of(const RoundFaces& of) {
                      {std::min(low, high), std::max(low, high)},
                      surface.axis,
                      portable_atan2(std::abs(high - low), std::abs(to - from)) / degree};
+    if (cone.radii[0] <= same_size * cone.radii[1]) cone.radii[0] = 0;
     cone.rounded = rounded_ends(of, round, cone);
     (is_chamfer(of, round, cone) ? found.chamfers : found.others).push_back(cone);
   };

@@ -97,5 +97,16 @@ TEST(RadiusDoubt, IsLargeForSmallCaps) {
   }
 }
 
+// Its apex is where rounding leaves it: a circle there would have a diameter of 0.
+TEST(ConeFeatures, ThatEndInATipHaveOneCircle) {
+  for (const char* turn : {"", "rotate:x,30 rotate:z,20"}) {
+    const world::World world = world_of(revolved({{0, 0}, {10, 0}, {0, 25}}, 48), turn);
+    const features::PartFeatures found = features::find_part_features(world);
+    ASSERT_EQ(found.cones.size(), 1U);
+    EXPECT_EQ(found.cones[0].radii[0], 0);
+    EXPECT_NEAR(found.cones[0].radii[1], 10, 1e-6);
+  }
+}
+
 }  // namespace
 }  // namespace epura::test::part_features_test
