@@ -115,13 +115,25 @@ void close_cracks(Soup& soup, UsableTriangles& usable, bool are_faces, MeshRepor
   drop_equal_triangles(usable, are_faces, report);
 }
 
+void note_unfinished(const std::vector<int>& faces, MeshReport& report) {
+  if (faces.empty()) return;
+  const std::size_t others = faces.size() - 1;
+  const std::string face = "face " + std::to_string(faces.front());
+  report.notes.push_back(others == 0
+                             ? face + " is too intricate to divide: some of its triangles may lie outside"
+                             : face + " and " + std::to_string(others) +
+                                   " more are too intricate to divide: some of their triangles may lie outside");
+}
+
 UsableTriangles usable_triangles(Soup& soup, MeshReport& report, const Progress& progress) {
   UsableTriangles usable;
   Faces faces = usable_faces(soup, report);
   const bool polygons = faces.corners.size() != 3 * faces.size();
   if (polygons) report.dropped_duplicates = drop_duplicate_faces(faces, report.vertices, usable.twins);
   progress.expect_time();
-  usable.triangles = triangulate(std::move(faces), soup.points, progress);
+  Triangulation divided = triangulate(std::move(faces), soup.points, progress);
+  usable.triangles = std::move(divided.triangles);
+  note_unfinished(divided.unfinished, report);
   progress.expect_time();
   usable.table = edges_of(usable.triangles, report);
   if (!polygons) drop_equal_triangles(usable, true, report);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 #include "base/vec.hpp"
 #include "mesh/simple_rings.hpp"
@@ -105,9 +106,9 @@ class EarClipper {
     }
   }
 
-  /// Calls `take(a, b, c)` for each triangle.
+  /// Calls `take(a, b, c)` for each triangle. Returns whether it could look for ears to the end.
   template <class Take>
-  void clip(const Take& take) {
+  bool clip(const Take& take) {
     int at = 0;
     for (std::size_t left = p_.size(); left > 2; --left) {
       at = choose(at, left);
@@ -119,6 +120,7 @@ class EarClipper {
       previous_[next_[at]] = previous_[at];
       at = next_[at];
     }
+    return work_ < max_work;
   }
 
  private:
@@ -180,7 +182,8 @@ class EarClipper {
   long long work_ = 0;
 };
 
-void add_triangles(Faces& triangles, std::span<const int> ring, int number, const Points& points) {
+void add_triangles(Triangulation& result, std::span<const int> ring, int number, const Points& points) {
+  Faces& triangles = result.triangles;
   const auto take = [&](int a, int b, int c) {
     if (ring[a] == ring[b] || ring[b] == ring[c] || ring[c] == ring[a]) return;
     triangles.corners.insert(triangles.corners.end(), {ring[a], ring[b], ring[c]});
@@ -189,26 +192,28 @@ void add_triangles(Faces& triangles, std::span<const int> ring, int number, cons
   };
   if (ring.size() == 3) return take(0, 1, 2);
   const std::vector<Vec2> flat = flattened(ring, points);
-  if (!is_fan(flat)) return EarClipper(flat).clip(take);
-  for (int i = 2; i < static_cast<int>(ring.size()); ++i) take(0, i - 1, i);
+  if (is_fan(flat))
+    for (int i = 2; i < static_cast<int>(ring.size()); ++i) take(0, i - 1, i);
+  else if (!EarClipper(flat).clip(take) && (result.unfinished.empty() || result.unfinished.back() != number))
+    result.unfinished.push_back(number);
 }
 
 }  // namespace
 
-Faces triangulate(Faces faces, const Points& points, const Progress& progress) {
-  if (faces.corners.size() == 3 * faces.size()) return faces;  // no face has fewer than three corners
-  Faces triangles;
-  triangles.corners.reserve(3 * (faces.corners.size() - 2 * faces.size()));
+Triangulation triangulate(Faces faces, const Points& points, const Progress& progress) {
+  if (faces.corners.size() == 3 * faces.size()) return {std::move(faces)};  // no face has fewer than three corners
+  Triangulation result;
+  result.triangles.corners.reserve(3 * (faces.corners.size() - 2 * faces.size()));
   for (std::size_t f = 0; f < faces.size(); ++f) {
     if (f % faces_a_look == 0) progress.expect_time();
     const auto ring = faces.ring(f);
     if (!repeats_corner(ring)) {
-      add_triangles(triangles, ring, faces.number[f], points);
+      add_triangles(result, ring, faces.number[f], points);
       continue;
     }
-    for (const auto& simple : simple_rings(ring, points)) add_triangles(triangles, simple, faces.number[f], points);
+    for (const auto& simple : simple_rings(ring, points)) add_triangles(result, simple, faces.number[f], points);
   }
-  return triangles;
+  return result;
 }
 
 }  // namespace epura::mesh

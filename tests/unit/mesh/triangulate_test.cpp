@@ -13,16 +13,25 @@ namespace {
 
 using Polygon = std::vector<std::array<double, 2>>;
 
-// Twice the signed areas of the triangles of a polygon in a plane.
-std::vector<double> areas(const Polygon& polygon) {
+mesh::Triangulation triangulated(const Polygon& polygon, const mesh::Points& points) {
+  mesh::Faces faces;
+  faces.corners.resize(polygon.size());
+  std::iota(faces.corners.begin(), faces.corners.end(), 0);
+  faces.ends = {static_cast<int>(polygon.size())};
+  faces.number = {7};
+  return mesh::triangulate(faces, points);
+}
+
+mesh::Points in_a_plane(const Polygon& polygon) {
   mesh::Points points;
   for (const auto& [x, y] : polygon) points.push_back({x, y, 0});
-  mesh::Faces faces;
-  faces.corners.resize(points.size());
-  std::iota(faces.corners.begin(), faces.corners.end(), 0);
-  faces.ends = {static_cast<int>(points.size())};
-  faces.number = {0};
-  const mesh::Faces triangles = mesh::triangulate(faces, points);
+  return points;
+}
+
+// Twice the signed areas of the triangles of a polygon in a plane.
+std::vector<double> areas(const Polygon& polygon) {
+  const mesh::Points points = in_a_plane(polygon);
+  const mesh::Faces triangles = triangulated(polygon, points).triangles;
   std::vector<double> found;
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     const auto ring = triangles.ring(t);
@@ -97,6 +106,21 @@ TEST(Triangulate, AnEarIsInsideAtBothEndsOfItsDiagonal) {
   expect_no_turned_triangle({{2, 3}, {3, 0}, {2, 2}, {0, 0}, {3, 0}});
   expect_no_turned_triangle({{0, 0}, {1, 2}, {0, 1}, {0, 3}, {2, 0}, {0, 3}});
   expect_no_turned_triangle({{2, 2}, {1, 3}, {1, 0}, {3, 1}, {1, 2}, {1, 1}, {1, 0}});
+}
+
+// The box around each tooth of a slanted comb contains most of the other corners.
+TEST(Triangulate, AFaceThatTakesTooLongIsTold) {
+  const auto slanted_comb = [](int teeth) {
+    Polygon comb{{0, -1}, {1, -1}};
+    for (int i = teeth; i > 0; --i) {
+      const double from = static_cast<double>(i) / teeth, to = (i - 0.9) / teeth;
+      comb.insert(comb.end(), {{from, 0}, {from + 1, 1}, {to, 0}});
+    }
+    return comb;
+  };
+  const Polygon many = slanted_comb(20'000), few = slanted_comb(200);
+  EXPECT_EQ(triangulated(many, in_a_plane(many)).unfinished, std::vector<int>{7});
+  EXPECT_EQ(triangulated(few, in_a_plane(few)).unfinished, std::vector<int>());
 }
 
 }  // namespace
