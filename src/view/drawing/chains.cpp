@@ -76,6 +76,12 @@ void leave_out_steps(std::vector<Vec2>& points, bool closed, double touching) {
   if (kept.size() >= (closed ? 3 : 2)) points = std::move(kept);
 }
 
+// Where two segments that nearly meet are joined: at the end that comes first across the page, whichever way the chain
+// is followed.
+const Vec2& joint(const Vec2& one, const Vec2& other) {
+  return order_on_page(other) < order_on_page(one) ? other : one;
+}
+
 // Follows continuations from the end `start` of a segment, towards the other end of the segment.
 Chain follow(const std::vector<Segment>& segments, const std::vector<End>& continuation, End start,
              std::vector<bool>& used) {
@@ -83,6 +89,7 @@ Chain follow(const std::vector<Segment>& segments, const std::vector<End>& conti
   Chain chain{{place(segments, start)}, false, first.visible, first.kind, {}};
   for (End at = start; at != no_end && !used[line_of(at)]; at = continuation[other(at)]) {
     used[line_of(at)] = true;
+    chain.points.back() = joint(chain.points.back(), place(segments, at));
     chain.segments.push_back(line_of(at));
     chain.kind = std::min(chain.kind, segments[line_of(at)].kind);
     chain.points.push_back(place(segments, other(at)));
@@ -155,10 +162,15 @@ std::vector<Chain> chain_segments(const std::vector<Segment>& segments, double t
     check(chain.points.size() == chain.segments.size() + 1, "a chain has a line between any two of its points");
     if (chain.closed) {
       check(glm::distance(chain.points.front(), chain.points.back()) <= 4 * widest + 0x1p-28, "a closed chain closes");
+      chain.points.front() = joint(chain.points.front(), chain.points.back());
       chain.points.pop_back();
     }
+    // Both look at one point after the other, so they begin at the end that comes first across the page.
+    const bool is_backwards = !chain.closed && order_on_page(chain.points.back()) < order_on_page(chain.points.front());
+    if (is_backwards) std::ranges::reverse(chain.points);
     leave_out_steps(chain.points, chain.closed, gaps.touching);
     straighten(chain.points, chain.closed, tolerance);
+    if (is_backwards) std::ranges::reverse(chain.points);
     chains.push_back(std::move(chain));
   };
   for (End end = 0; end < static_cast<End>(continuation.size()); ++end)

@@ -86,9 +86,9 @@ bool pair_up(const Ends& lines, std::span<const End> ends, const Joining& rule, 
   for (const End end : ends)
     if (continuation[end] == no_end) left.emplace_back(end, leaving(lines, end));
   const auto order = [&](End end) { return order_on_page(lines.place(other(end))); };
-  using Pair = std::tuple<int, double, double, End, End>;
+  using Pair = std::tuple<int, float, float, End, End>;  // floats, so that rounding does not decide
   while (left.size() >= 2) {
-    Pair best{3, HUGE_VAL, HUGE_VAL, no_end, no_end};
+    Pair best{3, HUGE_VALF, HUGE_VALF, no_end, no_end};
     for (std::size_t i = 0; i < left.size(); ++i)
       for (std::size_t j = i + 1; j < left.size(); ++j) {
         const auto& [a, direction_a] = left[i];
@@ -97,7 +97,8 @@ bool pair_up(const Ends& lines, std::span<const End> ends, const Joining& rule, 
         const bool differ = lines.kind(a) != lines.kind(b);
         const int turn = straightness > turning_back ? 2 : straightness > -turning_back && differ ? 1 : 0;
         if (a == other(b) || glm::distance(lines.place(a), lines.place(b)) > rule.farthest) continue;
-        best = std::min(best, Pair(turn, straightness + (differ ? about_as_straight : 0), order(a) + order(b), a, b));
+        const double bent = straightness + (differ ? about_as_straight : 0);
+        best = std::min(best, Pair(turn, static_cast<float>(bent), static_cast<float>(order(a) + order(b)), a, b));
       }
     const End a = std::get<3>(best), b = std::get<4>(best);
     if (a == no_end) return true;

@@ -62,8 +62,12 @@ void KeptInk::append(const std::vector<int>& numbers, const MeasuredPolyline& po
   const double size = own.to - own.from, touching = limits_.touching / size;
   const auto x = [&](double u) { return u >= 1 ? own.to : own.from + u * size; };
   auto& [parts, contacts] = found.near;
+  // Ink whose ends meet has no gap between them, whatever rounding leaves.
   visibility::Spans spans;
-  for (std::size_t i = found.first; i < parts.size(); ++i) visibility::add_span(spans, parts[i].stretch);
+  const auto cover = [&](const Range& stretch) {
+    visibility::add_span(spans, {stretch[0] - limits_.touching, stretch[1] + limits_.touching});
+  };
+  for (std::size_t i = found.first; i < parts.size(); ++i) cover(parts[i].stretch);
   for (const int number : numbers) {
     if (parts.size() >= found.first + many_near && visibility::covers(spans, own.from, own.to)) return;
     const auto& [p, q] = parts_.line(number);
@@ -75,7 +79,7 @@ void KeptInk::append(const std::vector<int>& numbers, const MeasuredPolyline& po
     const auto apart = [&](double u) { return std::abs(beside.value + u * beside.slope); };
     check(from >= 0 && to <= 1, "ink beside a line is beside a part of it");
     parts.push_back({{x(from), x(to)}, number, {apart(from), apart(to)}});
-    visibility::add_span(spans, parts.back().stretch);
+    cover(parts.back().stretch);
     for (const double u : {from, to})
       if (apart(u) <= limits_.touching) contacts.push_back(x(u));
     const double crossing = -beside.value / beside.slope;

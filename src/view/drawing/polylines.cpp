@@ -65,7 +65,8 @@ std::vector<std::size_t> Polylines::by_rank() const {
   // Compared as floats, so that rounding does not decide.
   const auto rank = [&](std::size_t i) {
     const Line& line = lines_[i];
-    return std::tuple(-line.strength, -static_cast<float>(line.length), line.order, line_of(members_[line.first]), i);
+    return std::tuple(-line.strength, -static_cast<float>(line.length), static_cast<float>(line.order),
+                      line_of(members_[line.first]), i);
   };
   std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
   return order;

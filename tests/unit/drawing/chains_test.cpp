@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -55,6 +56,33 @@ TEST(Chains, HaveNoStepsWhereEndsMeetNearly) {
       {segment({0, 0}, {10, 0}), segment({10, 0}, {10, -8e-7}), segment({10, -8e-7}, {20, 5})}, 1e-9, {1e-6});
   ASSERT_EQ(chains.size(), 1U);
   EXPECT_EQ(chains[0].points.size(), 3U);
+}
+
+// Where ends are a gap apart, the chain was drawn through one end or the other, as it was followed.
+TEST(Chains, GoThroughTheSameEndsWhicheverWayTheyAreFollowed) {
+  std::mt19937 random(3);
+  const auto number = [&](double most) { return std::uniform_real_distribution<double>(-most, most)(random); };
+  for (int round = 0; round < 50; ++round) {
+    std::vector<drawing::Segment> lines;
+    for (int i = 0; i < 8; ++i) {
+      const double a = 0.7 * i, b = 0.7 * (i + 1);
+      const Vec2 jitter(number(0.003), number(0.003));
+      lines.push_back(segment(Vec2(10 * std::cos(a), 10 * std::sin(a)) + jitter, {10 * std::cos(b), 10 * std::sin(b)}));
+    }
+    const auto places = [&] {
+      const auto chains = drawing::chain_segments(lines, 1e-9, {1e-6, 0.01});
+      EXPECT_EQ(chains.size(), 1U);
+      std::vector<std::array<double, 2>> found;
+      for (const Vec2& p : chains.front().points) found.push_back({p.x, p.y});
+      std::ranges::sort(found);
+      return found;
+    };
+    const auto before = places();
+    std::shuffle(lines.begin(), lines.end(), random);
+    for (drawing::Segment& line : lines)
+      if (random() % 2 == 0) std::swap(line.from, line.to);
+    EXPECT_EQ(places(), before) << round;
+  }
 }
 
 TEST(Chains, CrossGapsThatNobodySees) {

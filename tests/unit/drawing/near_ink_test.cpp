@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -267,6 +268,45 @@ TEST(NearInk, WhateverIsTakenHasInkAsStrongBesideIt) {
       }
   }
   EXPECT_GT(taken, 100);
+}
+
+// A drawing beside its mirror image: lines of equal length, with ends at equal distances.
+TEST(NearInk, NumberingDoesNotDecideWhichLineStays) {
+  using Place = std::array<double, 5>;
+  const auto places = [](const Pieces& pieces) {
+    std::vector<Place> found;
+    const auto rounded = [](double x) { return std::round(x * 1e8) + 0.0; };
+    for (const drawing::Piece& p : joined(pieces)) {
+      const std::array a{rounded(p.from.x), rounded(p.from.y)}, b{rounded(p.to.x), rounded(p.to.y)};
+      const auto& [first, last] = std::minmax(a, b);
+      found.push_back({first[0], first[1], last[0], last[1], p.visible ? 1.0 : 0.0});
+    }
+    std::ranges::sort(found);
+    return found;
+  };
+  std::mt19937 random(13);
+  for (int round = 0; round < 200; ++round) {
+    Pieces pieces = random_drawing(random);
+    const auto on_grid = [](const Vec2& p) { return glm::round(p * 0x1p20) / 0x1p20; };
+    const std::size_t count = pieces.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      drawing::Piece& own = pieces[i];
+      own.from = on_grid(own.from);
+      own.to = on_grid(own.to);
+      drawing::Piece mirrored = own;
+      mirrored.from.x = 4 - own.from.x;
+      mirrored.to.x = 4 - own.to.x;
+      pieces.push_back(mirrored);
+    }
+    const std::vector<Place> before = places(pieces);
+    std::shuffle(pieces.begin(), pieces.end(), random);
+    for (drawing::Piece& p : pieces)
+      if (random() % 2 == 0) {
+        std::swap(p.from, p.to);
+        std::swap(p.s[0], p.s[1]);
+      }
+    EXPECT_EQ(places(pieces), before) << round;
+  }
 }
 
 TEST(NearInk, WhatStaysKeepsItsPlaceAndLooseEndsStayFew) {
