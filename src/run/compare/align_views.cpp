@@ -11,8 +11,10 @@
 #include <tuple>
 #include <utility>
 
+#include "base/angle.hpp"
 #include "base/text.hpp"
 #include "compare/ink_parts.hpp"
+#include "scene/line_roles.hpp"
 
 namespace epura::compare {
 
@@ -114,28 +116,59 @@ std::optional<std::array<double, 2>> moves_along(int axis, const Ends& was, cons
       continue;
     const std::array<double, 2> moves{end.from[axis] - was.from[axis], end.to[axis] - was.to[axis]};
     const double longer = std::abs(end.length - was.length);
-    // In one direction, if both moved.
-    if (moves[0] * moves[1] >= 0 && longer <= std::abs(moves[1] - moves[0]) + 2 * tolerance + 1e-3) return moves;
+    // In one direction, if both moved. A circle whose only end moved may be larger.
+    const double around = was.from == was.to && is.from == is.to ? full_turn * std::abs(moves[0]) : 0;
+    if (moves[0] * moves[1] >= 0 && longer <= std::max(std::abs(moves[1] - moves[0]), around) + 2 * tolerance + 1e-3)
+      return moves;
   }
   return std::nullopt;
 }
 
 bool is_size(const Difference& d) { return d.change == Change::text && !measured_by(d).empty(); }
 
+bool is_round(const Difference& d) {
+  const std::string size = is_size(d) ? measured_by(d) : "";
+  return size == "diameter" || size == "radius";
+}
+
+// Dimension lines, centre lines and what stands at them are placed anew where sizes changed; a text that is another one
+// is told.
+bool is_placed(const Difference& d) {
+  const auto is_name = [](std::string_view name) {
+    const scene::SheetLineRow* row = scene::find_line(name);
+    return row != nullptr && (row->line == scene::SheetLine::dimension || row->line == scene::SheetLine::centre);
+  };
+  return d.is_text ? d.change == Change::moved : is_name(d.before) || is_name(d.after);
+}
+
+bool touch(const Difference& a, const Difference& b) {
+  const auto has_end = [&](const Vec2& p) {
+    return glm::distance(p, b.from) <= step || glm::distance(p, b.to) <= step;
+  };
+  return has_end(a.from) || has_end(a.to);
+}
+
 bool is_of_view(const Difference& d) { return !d.view.empty() && d.view != "sheet" && !d.is_view; }
 
-/// Finds, of the differences of one view, those whose lines moved along one axis.
+/// Finds, of the differences of one view, those whose lines moved along one axis; of a round size, either way.
 class Followers {
  public:
   Followers(const std::vector<Difference>& all, std::vector<std::size_t> of_view, int axis, double tolerance)
-      : all_(all), of_view_(std::move(of_view)), axis_(axis), tolerance_(tolerance), is_paired_(all.size()) {}
+      : all_(all),
+        of_view_(std::move(of_view)),
+        axis_(axis),
+        tolerance_(tolerance),
+        is_round_(std::any_of(all.begin(), all.end(), is_round)),
+        is_paired_(all.size()) {}
 
   std::vector<std::size_t> find() {
     pair_lines();
     const double most = most_common();
     if (most == 0) return {};
     std::vector<std::size_t> found;
-    const auto is_within = [&](double move) { return move * most >= 0 && std::abs(move) <= std::abs(most) + slack(); };
+    const auto is_within = [&](double move) {
+      return (is_round_ || move * most >= 0) && std::abs(move) <= std::abs(most) + slack();
+    };
     std::set<long long> lengths;
     for (const Pair& pair : pairs_) {
       const bool follows = is_within(pair.moves[0]) && is_within(pair.moves[1]);
@@ -181,6 +214,7 @@ class Followers {
     for (auto k = added.begin(); k != added.end(); ++k) {
       const Difference& come = all_[*k];
       if (come.after != gone.before) continue;
+      if (!is_round_ && gone.from == gone.to) continue;
       const auto moves =
           moves_along(axis_, {gone.from, gone.to, gone.length}, {come.from, come.to, come.length}, tolerance_);
       if (!moves || (least && largest(*least) <= largest(*moves))) continue;
@@ -210,12 +244,17 @@ class Followers {
     return best == votes.end() ? 0 : step * static_cast<double>(best->first);
   }
 
-  // What a line along the axis is longer or shorter than before: as much as other lines moved.
+  // What a line along the axis is longer or shorter than before: as much as other lines moved. Where a dimension line
+  // was or is on the rest of it, that has another style.
   [[nodiscard]] bool is_rest(const Difference& d, const std::set<long long>& lengths) const {
     const bool is_one_sided = d.change == Change::added || d.change == Change::removed;
     const bool is_along = is_same(d.from[1 - axis_], d.to[1 - axis_], tolerance_) &&
                           is_same(d.length, std::abs(d.to[axis_] - d.from[axis_]), tolerance_);
-    const long long length = std::llround(d.length / step);
+    double whole = d.length;
+    for (const Difference& rest : all_)
+      if (rest.change == Change::restyled && rest.view == d.view && is_placed(rest) && touch(rest, d))
+        whole += rest.length;
+    const long long length = std::llround(whole / step);
     return is_one_sided && !d.is_text && is_along &&
            (lengths.contains(length) || lengths.contains(length - 1) || lengths.contains(length + 1));
   }
@@ -224,6 +263,7 @@ class Followers {
   std::vector<std::size_t> of_view_;
   int axis_;
   double tolerance_;
+  bool is_round_;
   std::vector<char> is_paired_;
   std::vector<Pair> pairs_{};
 };
@@ -242,6 +282,12 @@ std::vector<Difference> align_views(Picture& before, const Picture& after, doubl
     if (glm::length(shift) <= same || !brings_together(one_view(before, view), one_view(after, view), shift, same))
       continue;
     shifts[view] = shift;
+    const auto with_it = std::find_if(found.begin(), found.end(),
+                                      [&](const Difference& other) { return glm::distance(other.to, shift) <= same; });
+    if (with_it != found.end()) {
+      with_it->view += ", " + view;
+      continue;
+    }
     Difference& moved = found.emplace_back();
     moved.change = Change::moved;
     moved.view = view;
@@ -270,6 +316,8 @@ std::size_t take_followers(std::vector<Difference>& differences, double toleranc
   for (std::size_t i = 0; i < differences.size(); ++i)
     if (is_of_view(differences[i])) by_view[differences[i].view].push_back(i);
   std::vector<char> follows(differences.size());
+  for (std::size_t i = 0; i < differences.size(); ++i)
+    follows[i] = is_of_view(differences[i]) && is_placed(differences[i]);
   constexpr std::size_t max_read = 5000;  // each is compared with each, and a view with more of them is another one
   for (const auto& [view, numbers] : by_view)
     for (const int axis : {0, 1}) {
@@ -285,20 +333,23 @@ std::size_t take_followers(std::vector<Difference>& differences, double toleranc
 }
 
 std::string measured_by(const Difference& text) {
-  const auto number_of = [](std::string_view words) {
-    const std::size_t digit = words.find_first_of("0123456789.,");
-    if (digit == std::string_view::npos) return std::pair(std::string(), std::string());
-    const std::size_t end = std::min(words.find_first_not_of("0123456789.,", digit), words.size());
-    return std::pair(std::string(words.substr(0, digit)) + "|" + std::string(words.substr(end)),
-                     std::string(words.substr(digit, end - digit)));
+  constexpr std::string_view digits = "0123456789.,";
+  const auto differ = std::mismatch(text.before.begin(), text.before.end(), text.after.begin(), text.after.end()).first;
+  std::string_view sign(text.before.data(), static_cast<std::size_t>(differ - text.before.begin()));
+  sign = sign.substr(0, sign.find_last_not_of(digits) + 1);
+  // The number after the sign, and the rest.
+  const auto split = [&](std::string_view words) {
+    words.remove_prefix(sign.size());
+    const std::size_t end = std::min(words.find_first_not_of(digits), words.size());
+    return std::pair(words.substr(0, end), words.substr(end));
   };
-  const auto [sign, was] = number_of(text.before);
-  const auto [same_sign, is] = number_of(text.after);
-  if (was.empty() || is.empty() || was == is || sign != same_sign || text.view == "sheet") return {};
-  if (sign.starts_with("⌀") || sign.starts_with("Ø")) return "diameter";
-  if (sign.starts_with("R")) return "radius";
-  if (sign == "|°") return "angle";
-  if (sign != "|") return "size";
+  const auto [was, rest] = split(text.before);
+  const auto [is, same_rest] = split(text.after);
+  if (was.empty() || is.empty() || was == is || rest != same_rest || text.view == "sheet") return {};
+  if (sign.ends_with("⌀") || sign.ends_with("Ø")) return "diameter";
+  if (sign.ends_with("R")) return "radius";
+  if (sign.empty() && rest == "°") return "angle";
+  if (!sign.empty() || !rest.empty()) return "size";
   constexpr std::array<std::tuple<std::string_view, const char*, const char*>, 7> views{{{"front", "width", "height"},
                                                                                          {"rear", "width", "height"},
                                                                                          {"back", "width", "height"},

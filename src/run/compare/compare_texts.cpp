@@ -5,6 +5,7 @@
 #include <optional>
 #include <tuple>
 
+#include "compare/align_views.hpp"
 #include "compare/page_differences.hpp"
 
 namespace epura::compare {
@@ -55,6 +56,15 @@ class TextPairs {
           return pair_if(overlap(a, b), glm::distance(middle(a), middle(b)), HUGE_VAL);
         },
         Change::text);
+    // In views whose sizes changed, texts move farther than they would by themselves.
+    each_pair(
+        [&](const PictureText& a, const PictureText& b) {
+          return pair_if(is_same_view(a, b) && a.words == b.words, apart(a, b), HUGE_VAL);
+        },
+        Change::moved);
+    each_pair([&](const PictureText& a,
+                  const PictureText& b) { return pair_if(is_same_view(a, b) && is_size(a, b), apart(a, b), HUGE_VAL); },
+              Change::text);
     for (const PictureText& text : old_) report(Change::removed, text, {text.words, ""});
     for (const PictureText& text : new_) report(Change::added, text, {"", text.words});
     return std::move(found_);
@@ -62,6 +72,21 @@ class TextPairs {
 
  private:
   static constexpr double rounding = 1e-3;  // mm: rounding of files and font sizes along a long text
+
+  [[nodiscard]] bool is_same_view(const PictureText& a, const PictureText& b) const {
+    const std::string& view = before_.views[static_cast<std::size_t>(a.view)];
+    return !view.empty() && view != "sheet" && view == after_.views[static_cast<std::size_t>(b.view)];
+  }
+
+  // Whether both are values of one size, in one direction.
+  [[nodiscard]] bool is_size(const PictureText& a, const PictureText& b) const {
+    Difference sizes;
+    sizes.view = before_.views[static_cast<std::size_t>(a.view)];
+    sizes.before = a.words;
+    sizes.after = b.words;
+    const bool is_level = size(a).x >= size(a).y;
+    return is_level == (size(b).x >= size(b).y) && !measured_by(sizes).empty();
+  }
 
   static std::optional<double> pair_if(bool alike, double distance, double max) {
     return alike && distance <= max ? std::optional(distance) : std::nullopt;

@@ -54,7 +54,9 @@ std::string format_difference(const Difference& d, bool pages) {
   if (pages) text += "page " + std::to_string(d.page) + ", ";
   if (!d.view.empty()) text += d.view + ": ";
   if (d.change == Change::size) return text + "sheet of " + d.before + " -> " + d.after;
-  if (d.is_view) return text + "the whole view, by " + place(d.to) + " mm";
+  if (d.is_view)
+    return text + (d.view.find(',') == std::string::npos ? "the whole view, by " : "whole views, by ") + place(d.to) +
+           " mm";
   return text + (d.is_text ? format_text(d) : format_line(d));
 }
 

@@ -121,6 +121,21 @@ TEST(Compare, TellsAMovedViewOnce) {
   EXPECT_EQ(changes(compare::compare(as_svg(plate()), as_svg(edited), 0.001)), "moved removed");
 }
 
+TEST(Compare, TellsViewsThatMovedAlikeTogether) {
+  const auto two_views = [](const Vec2& by) {
+    sheet::Sheet sheet = plate();
+    move_view(sheet, by);
+    sheet.layers.push_back({"top/visible", {"visible", 0.5}, {}});
+    sheet.layers.back().strokes = {line(Vec2(20, 120) + by, Vec2(100, 120) + by),
+                                   line(Vec2(20, 140) + by, Vec2(90, 140) + by)};
+    return sheet;
+  };
+  const compare::Comparison moved = compare::compare(as_svg(two_views({0, 0})), as_svg(two_views({0, -2})), 0.001);
+  EXPECT_EQ(compare::format_comparison(moved, 0.001),
+            "moved      front, top: whole views, by (0, -2) mm\n"
+            "1 difference above 0.001 mm: 1 moved\n");
+}
+
 // Lines that differ by less than the tolerance may be of other lengths when these are rounded, and circles are cut into
 // other chords: then the only lines that look the same may be those that stand elsewhere.
 TEST(Compare, LeavesAViewWhereMostOfItsInkIs) {
@@ -195,6 +210,29 @@ TEST(Compare, ListsWhatDoesNotFollowASize) {
   const compare::Comparison comparison = compare::compare(as_svg(plate()), as_svg(same_text), 0.001);
   EXPECT_EQ(comparison.followers, 0U);
   EXPECT_GE(comparison.differences.size(), 4U);
+}
+
+// The hole becomes larger; its note and a dimension that had room elsewhere are placed anew.
+TEST(Compare, TellsADiameterOnceWhereverItsNoteStands) {
+  const auto with_hole = [](double radius, const std::string& note, const Vec2& at) {
+    sheet::Sheet sheet = plate();
+    stroke(sheet, visible, 1) = circle({60, 80}, radius);
+    sheet.layers[dimension].strokes.push_back(line({60, 80}, at));
+    sheet::Text text = sheet.layers[dimension].texts[0];
+    text.text = note;
+    text.at = at;
+    sheet.layers[dimension].texts.push_back(text);
+    return sheet;
+  };
+  const compare::Comparison comparison = compare::compare(as_svg(with_hole(8, "2× ⌀16 ↧9", {75, 110})),
+                                                          as_svg(with_hole(9, "2× ⌀18 ↧9", {30, 104})), 0.001);
+  const std::string words = compare::format_comparison(comparison, 0.001);
+  ASSERT_EQ(changes(comparison), "text") << words;
+  EXPECT_TRUE(contains(words, "diameter '2× ⌀16 ↧9' -> '2× ⌀18 ↧9'")) << words;
+  EXPECT_EQ(
+      changes(compare::compare(as_svg(with_hole(8, "⌀16", {75, 110})), as_svg(with_hole(9, "⌀16", {75, 110})), 0.001)),
+      "removed added")
+      << "a hole whose size is not";
 }
 
 // A layer of which no line is long enough for dashes looks the same in both formats.
