@@ -362,6 +362,7 @@ std::vector<LayoutRequest> roomier_layouts(const scene::SheetDescription& sheet,
       if (!is_given) layouts.push_back({rank, usual.scale});
     }
   } else if (usual.chosen) {
+    for (const double share : smaller_rooms) layouts.push_back({0, sheet::next_standard_scale(usual.scale), share});
     for (double scale = usual.scale; scale > smallest * usual.scale;) {
       scale = sheet::standard_scale_up_to(scale * 0.99);
       layouts.push_back({0, scale});

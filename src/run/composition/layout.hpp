@@ -45,8 +45,8 @@ inline constexpr std::array smaller_rooms{0.5, 0.25};
 /// one.
 std::vector<LayoutRequest> better_layouts(const scene::SheetDescription& sheet, const SheetPlan& usual);
 
-/// Layouts with more room, to be tried in turn while the usual one leaves something out: larger sheets, if the size is
-/// chosen, otherwise smaller scales.
+/// Layouts to be tried in turn while the usual one leaves something out: larger sheets, if the size is chosen, otherwise
+/// the next larger scale with less room around the views, where what has no place may find one, and smaller scales.
 std::vector<LayoutRequest> roomier_layouts(const scene::SheetDescription& sheet, const SheetPlan& usual);
 
 /// Whether one layout has a smaller sheet than the other, or a larger scale on the same one.
