@@ -21,13 +21,13 @@ from ._drawing import KINDS, Arc, DrawnView, Drawing, Layer
 from ._errors import Error, InputError, OutputError, PluginError, TimeError
 from ._hlr import Curve, Curves, EdgeArc, hlr
 from ._models import Model
-from ._parts import (BrokenOut, Datum, Detail, Dimension, Explode, Note, PartsList, Requirement, Revision, Revolved, Section,
-                     Sheet, Style, SurfaceTexture, Table, ToleranceFrame, View)
+from ._parts import (Accepted, BrokenOut, Datum, Detail, Dimension, Explode, Note, PartsList, Requirement, Revision, Revolved,
+                     Section, Sheet, Style, SurfaceTexture, Table, ToleranceFrame, View)
 from ._scene import Scene
 
 __all__ = [
-    "Arc", "BrokenOut", "Comparison", "Curve", "Curves", "Datum", "Detail", "Dimension", "Drawing", "DrawnView",
-    "EdgeArc", "Error", "Explode", "InputError", "KINDS", "Layer", "Model", "Note", "OutputError", "PartsList",
+    "Accepted", "Arc", "BrokenOut", "Comparison", "Curve", "Curves", "Datum", "Detail", "Dimension", "Drawing",
+    "DrawnView", "EdgeArc", "Error", "Explode", "InputError", "KINDS", "Layer", "Model", "Note", "OutputError", "PartsList",
     "PluginError", "Requirement", "Revision", "Revolved", "Scene", "Section", "Sheet", "Style", "SurfaceTexture",
     "Table", "TimeError", "ToleranceFrame", "View", "compare", "draw", "hlr", "projection",
 ]

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import base64
 import html
+import json
 import os
-from typing import Dict, List, NamedTuple, Tuple, Union
+from typing import Any, Dict, List, NamedTuple, Tuple, Union
 
 import numpy as np
 
@@ -119,6 +120,12 @@ class Drawing:
     def to_json(self, sheet: int = 1) -> str:
         """The JSON of a sheet (docs/formats.md)."""
         return self._core.to_json(sheet)
+
+    def annotations(self, sheet: int = 1) -> Dict[str, Any]:
+        """Dimensions, notes, tolerance frames, tables, balloons and title fields of a sheet, as its JSON has them; empty
+        if it has none. `share/epura/annotations.schema.json` says what they are."""
+        found: Dict[str, Any] = json.loads(self.to_json(sheet)).get("annotations", {})
+        return found
 
     def to_dxf(self, sheet: int = 1) -> str:
         """The DXF of a sheet."""

@@ -38,6 +38,7 @@ class Scene:
     datums: Sequence[Any] = ()
     surface_textures: Sequence[Any] = ()
     requirements: Sequence[Any] = ()
+    accepted: Sequence[Any] = ()
     tables: Sequence[Any] = ()
     revisions: Sequence[Any] = ()
     parts_list: Optional[Any] = None

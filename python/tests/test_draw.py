@@ -205,3 +205,12 @@ def test_blocks_of_the_page_run(tmp_path, monkeypatch):
     for block in blocks:
         exec(compile(block, "docs/python.md", "exec"), names)
     assert len(blocks) >= 5 and (tmp_path / "bracket.pdf").exists()
+
+
+def test_annotations_are_those_of_the_program():
+    scene = epura.Scene(models=[epura.Model(VERTICES, FACES)], views=["front", "top"],
+                        dimensions=[epura.Dimension(type="overall")])
+    found = epura.draw(scene).annotations()
+    assert [one["value"] for one in found["dimensions"]] == [9, 9, 9]
+    assert len({one["id"] for one in found["dimensions"]}) == 3
+    assert epura.draw(VERTICES, FACES).annotations() == {}

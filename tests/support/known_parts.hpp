@@ -469,7 +469,7 @@ inline std::string keyed_hub() {
 
 // Prisms along y over parts of circles.
 inline std::vector<KnownPart> interrupted_circles() {
-  const std::string no_sides_of_teeth = "sizes: 2 of 18 plane faces, 16 of 16 cylindrical faces; 16 have none\n";
+  const std::string no_sides_of_teeth = "completeness: 2 of 18 plane faces, 16 of 16 cylindrical faces, ";
   const double flat = std::acos(0.8) * 180 / std::numbers::pi, key = std::asin(0.3) * 180 / std::numbers::pi;
   Loop two_flats = arc_of(10, flat, 180 - flat), other = arc_of(10, 180 + flat, 360 - flat);
   two_flats.insert(two_flats.end(), other.begin(), other.end());

@@ -27,7 +27,7 @@ const ProgramTexts& program_texts() {
       .exit_codes =
           {{0, "success"},
            {found_wrong_exit_code,
-            "differences found (compare, snapshot, check) or errors found (lint, --verify, plugins check, views "
+             "differences found (compare, snapshot, check) or errors found (lint, define, --verify, plugins check, views "
             "beyond their sheet), requirements that are not drawn (draw) or not read whole (requirements), or jobs "
             "failed (batch)"},
            {2, "wrong input"},
@@ -63,6 +63,8 @@ std::vector<DefinedCommand> define_commands(CLI::App& program) {
                      }),
       define_command(add("lint", "draw, and say which sizes have no dimension or several, and which dimensions cross"),
                      lint_options, lint),
+      define_command(add("define", "draw, and prove that the numbers on the sheets define the part"), define_options,
+                     [](const DrawOptions& options) { return define(options); }),
       define_command(add("batch", "draw many models, each in a process of its own, and only those that changed"),
                      batch_options, batch),
       define_command(add("info", "describe a model: size, bodies, faces, holes, repairs"), info_options, info),

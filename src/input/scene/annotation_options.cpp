@@ -305,4 +305,15 @@ Options<RequirementWords> requirement_options() {
   };
 }
 
+Options<AcceptedWords> accepted_options() {
+  return {
+      option<AcceptedWords>(
+          {.key = "feature", .help = "whose faces may stay free, `hole 3` or `face 12`", .required = true},
+          &AcceptedWords::feature, anchor()),
+      option<AcceptedWords>(
+          {.key = "reason", .help = "why, for those who read what `epura lint` says", .required = true},
+          in_description(&AcceptedDescription::reason), any_text()),
+  };
+}
+
 }  // namespace epura::scene

@@ -219,6 +219,12 @@ struct RequirementDescription {
   LocatedText letter{};            ///< of a datum
 };
 
+/// A feature of which `epura lint` need not say what is not dimensioned.
+struct AcceptedDescription {
+  Located<FeatureName> feature{};
+  LocatedText reason{};
+};
+
 template <>
 struct Words<SheetCorner> {
   static constexpr std::array list{"top-left", "top-right", "bottom-left", "bottom-right"};
@@ -292,6 +298,7 @@ struct SceneDescription {
   std::vector<ThreadDescription> threads{};
   std::vector<CalloutDescription> callouts{};  ///< in the order of the scene
   std::vector<RequirementDescription> requirements{};
+  std::vector<AcceptedDescription> accepted{};
   std::vector<TableDescription> tables{};
   std::vector<RevisionDescription> revisions{};
   std::vector<SheetDescription> sheets;  ///< one default sheet if a scene file has none

@@ -34,6 +34,12 @@ struct RequirementWords {
   Located<AnchorWords> feature, to;
 };
 
+/// What is accepted of a feature, with its model not yet resolved.
+struct AcceptedWords {
+  AcceptedDescription description;
+  Located<AnchorWords> feature;
+};
+
 /// Returns a function that finds a member of the description in parsed words.
 template <class Member>
 auto in_description(Member member) {
@@ -56,6 +62,7 @@ Options<CalloutWords> tolerance_frame_options();
 Options<CalloutWords> datum_options();
 Options<CalloutWords> texture_options();
 Options<RequirementWords> requirement_options();
+Options<AcceptedWords> accepted_options();
 Options<TableDescription> table_options();
 Options<RevisionDescription> revision_options();
 Options<PartsListDescription> parts_list_options();

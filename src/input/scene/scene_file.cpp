@@ -192,10 +192,10 @@ ThreadDescription thread_of(const ThreadWords& words, const Subjects& subjects) 
   return thread;
 }
 
-Located<FeatureName> feature_of(const Located<AnchorWords>& words) {
+Located<FeatureName> feature_of(const Located<AnchorWords>& words, const std::string& what = "a requirement") {
   if (!words.given()) return {};
   if (words->feature.text.empty())
-    refuse_input(words.where, "a requirement is about a feature, not a point",
+    refuse_input(words.where, what + " is about a feature, not a point",
                  "write \"hole 3\" or \"face 12\": epura info and epura new-scene number them");
   return {words->feature, words.where};
 }
@@ -355,6 +355,8 @@ SceneDescription scene_of(const TomlValue& root) {
   for (const CalloutWords& callout : words.callouts) scene.callouts.push_back(callout_of(callout, subjects));
   for (const RequirementWords& requirement : words.requirements)
     scene.requirements.push_back(requirement_of(requirement));
+  for (const AcceptedWords& one : words.accepted)
+    scene.accepted.push_back({feature_of(one.feature, "what is accepted"), one.description.reason});
   if (scene.parts_list && !subjects.views.empty()) refuse_unknown(scene.parts_list->view, subjects.views, "view");
   return scene;
 }

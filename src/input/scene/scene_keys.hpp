@@ -18,6 +18,7 @@ struct SceneWords {
   std::vector<ThreadWords> threads;
   std::vector<CalloutWords> callouts;
   std::vector<RequirementWords> requirements;
+  std::vector<AcceptedWords> accepted;
   SheetDescription every_sheet;
 };
 

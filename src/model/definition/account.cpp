@@ -28,30 +28,6 @@ Rigid rest_of(Rigid vector, const std::vector<Rigid>& basis) {
   return vector;
 }
 
-// The largest faces, as datum features are chosen: three unknowns of the first one, two of the second, one of the
-// third. As rows that hold these still; whatever the part does as a whole is then nothing.
-std::vector<Row> base_rows(const Part& part, const Unknowns& unknowns) {
-  std::vector<int> order(part.faces.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
-    return part.faces[static_cast<std::size_t>(a)].area >
-           part.faces[static_cast<std::size_t>(b)].area * (1 + same_size);
-  });
-  std::vector<Rigid> basis;
-  std::vector<Row> rows;
-  for (const double enough : {good_base, seen_at_all})
-    for (const int face : order)
-      for (int i = unknowns.first(face); i < unknowns.first(face + 1); ++i) {
-        Rigid rest = rest_of(unknowns.rigid(i), basis);
-        const double length = std::sqrt(dot(rest, rest));
-        if (length < enough) continue;
-        for (double& value : rest) value /= length;
-        basis.push_back(rest);
-        rows.push_back({{i, 1.0}});
-      }
-  return rows;
-}
-
 // Changes as the whole part makes them, and a choice of these.
 class Relative {
  public:
@@ -218,6 +194,33 @@ void mark(std::vector<FaceState>& states, const std::vector<Motion>& motions, Fa
 
 }  // namespace
 
+// Three unknowns of the first face, two of the second, one of the third.
+std::vector<Row> base_rows(const Part& part, const Unknowns& unknowns, std::span<const FaceState> states) {
+  std::vector<int> order(part.faces.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto is_fixed = [&](int face) {
+    return states.empty() || states[static_cast<std::size_t>(face)] == FaceState::fixed;
+  };
+  std::stable_sort(order.begin(), order.end(), [&](int a, int b) {
+    if (is_fixed(a) != is_fixed(b)) return is_fixed(a);
+    return part.faces[static_cast<std::size_t>(a)].area >
+           part.faces[static_cast<std::size_t>(b)].area * (1 + same_size);
+  });
+  std::vector<Rigid> basis;
+  std::vector<Row> rows;
+  for (const double enough : {good_base, seen_at_all})
+    for (const int face : order)
+      for (int i = unknowns.first(face); i < unknowns.first(face + 1); ++i) {
+        Rigid rest = rest_of(unknowns.rigid(i), basis);
+        const double length = std::sqrt(dot(rest, rest));
+        if (length < enough) continue;
+        for (double& value : rest) value /= length;
+        basis.push_back(rest);
+        rows.push_back({{i, 1.0}});
+      }
+  return rows;
+}
+
 bool Account::is_complete() const {
   return is_certain && std::all_of(states.begin(), states.end(), [](FaceState state) {
            return state == FaceState::fixed || state == FaceState::by_model;
@@ -243,7 +246,12 @@ Account take_account(const Part& part, const Unknowns& unknowns, std::span<const
   mark(account.states, surely.motions, FaceState::free);
   account.needed = static_cast<int>(surely.allowed.size());
   account.motions = std::move(surely.motions);
+  std::vector<std::size_t> own(dimensions.size(), 0);  // rows that follow from none before
+  for (const int statement : surely.said.of) ++own[static_cast<std::size_t>(statement)];
+  account.follows.assign(dimensions.size(), 0);
   for (const DependentRow& one : dependent_rows(surely.dimensions)) {
+    const auto statement = static_cast<std::size_t>(surely.said.of[static_cast<std::size_t>(one.row)]);
+    if (--own[statement] == 0) account.follows[statement] = 1;
     account.repeated.push_back(statements_of(one, surely.said));
     if (contradict(one, surely.said, dimensions)) account.contradictory.push_back(account.repeated.back());
   }

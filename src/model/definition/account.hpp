@@ -25,11 +25,16 @@ struct Account {
   std::vector<FaceState> states;  ///< of each face; `uncertain` where only doubtful statements hold it, or a rank is
   /// Numbers of dimensions of which the first follows from the others. It stands alone if the rules say it.
   std::vector<std::vector<int>> repeated;
+  std::vector<char> follows;  ///< of each dimension: whether all that it says follows from those before it
   std::vector<std::vector<int>> contradictory;  ///< those of them whose texts cannot all be true
   bool is_certain = true;                       ///< the ranks are proved, and no statement in doubt matters
 
   [[nodiscard]] bool is_complete() const;
 };
+
+/// Six rows that hold the largest faces still, as datum features are chosen, those that are fixed before others:
+/// whatever the part does as a whole is then nothing. Each is one unknown. `states` are those of the faces, if known.
+std::vector<Row> base_rows(const Part& part, const Unknowns& unknowns, std::span<const FaceState> states = {});
 
 /// The part has common directions (see with_common_directions).
 Account take_account(const Part& part, const Unknowns& unknowns, std::span<const Statement> rules,

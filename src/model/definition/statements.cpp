@@ -43,11 +43,38 @@ std::optional<std::vector<double>> sum_of(const std::vector<const Hold*>& holds,
                            : std::vector<double>{factors.x, factors.y, factors.z};
 }
 
-Row motion_of(const Unknowns& unknowns, const std::vector<const Hold*>& holds, const Vec3& at,
-              const std::vector<double>& factors) {
+// Near to a point, by going to one surface after the other.
+Vec3 meeting_near(Vec3 point, const std::vector<surfaces::PartSurface>& all) {
+  constexpr int rounds = 100;
+  for (int round = 0; round < rounds; ++round)
+    for (const surfaces::PartSurface& one : all) {
+      const surfaces::Nearness near = surfaces::nearness_of(one, point);
+      point -= near.distance * near.normal;
+    }
+  return point;
+}
+
+/// A place between faces, and the direction in which it goes as a sum of their normals.
+struct Held {
+  Vec3 at, along;
+  std::vector<double> factors;
+};
+
+// As faces have changed, a corner is where they meet now, not where their changes along their normals would take it.
+Row motion_of(const Unknowns& unknowns, const Part& part, const std::vector<const Hold*>& holds, const Held& held) {
   Row row;
   for (std::size_t i = 0; i < holds.size(); ++i)
-    add(row, unknowns.surface_motion(holds[i]->face, at, holds[i]->normal), factors[i]);
+    add(row, unknowns.surface_motion(holds[i]->face, held.at, holds[i]->normal), held.factors[i]);
+  const auto is_change = [&unknowns](const Term& term) { return term.unknown == unknowns.count(); };
+  if (holds.size() == 1 || std::none_of(row.begin(), row.end(), is_change)) return row;
+  std::vector<surfaces::PartSurface> before, now;
+  for (const Hold* hold : holds) {
+    before.push_back(part.faces[static_cast<std::size_t>(hold->face)].surface);
+    now.push_back(unknowns.changed(hold->face));
+  }
+  std::erase_if(row, is_change);
+  const Vec3 change = meeting_near(held.at, now) - meeting_near(held.at, before);
+  row.push_back({unknowns.count(), glm::dot(change, held.along) / part.size});
   return row;
 }
 
@@ -59,16 +86,17 @@ Row end_motion(const Unknowns& unknowns, const Part& part, const End& end, const
   const std::vector<Hold> holds = holds_of(part, end);
   const std::size_t count = holds.size();
   for (std::size_t i = 0; i < count; ++i)
-    if (const auto factors = sum_of({&holds[i]}, along)) return motion_of(unknowns, {&holds[i]}, end.at, *factors);
+    if (const auto factors = sum_of({&holds[i]}, along))
+      return motion_of(unknowns, part, {&holds[i]}, {end.at, along, *factors});
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t j = i + 1; j < count; ++j)
       if (const auto factors = sum_of({&holds[i], &holds[j]}, along))
-        return motion_of(unknowns, {&holds[i], &holds[j]}, end.at, *factors);
+        return motion_of(unknowns, part, {&holds[i], &holds[j]}, {end.at, along, *factors});
   for (std::size_t i = 0; i < count; ++i)
     for (std::size_t j = i + 1; j < count; ++j)
       for (std::size_t k = j + 1; k < count; ++k)
         if (const auto factors = sum_of({&holds[i], &holds[j], &holds[k]}, along))
-          return motion_of(unknowns, {&holds[i], &holds[j], &holds[k]}, end.at, *factors);
+          return motion_of(unknowns, part, {&holds[i], &holds[j], &holds[k]}, {end.at, along, *factors});
   return {};
 }
 

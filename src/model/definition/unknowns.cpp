@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "base/error.hpp"
 #include "definition/limits.hpp"
@@ -53,6 +54,19 @@ Vec3 anchor_of(const Face& face) {
 Vec3 unit_or_zero(const Vec3& v) {
   const double length = glm::length(v);
   return length > 0 ? v / length : Vec3(0);
+}
+
+// How far a surface is from a point along a direction, close by.
+double way_to(const PartSurface& surface, const Vec3& point, const Vec3& along) {
+  constexpr int steps = 8;  // of Newton's method, which doubles the digits with each
+  double way = 0;
+  for (int step = 0; step < steps; ++step) {
+    const surfaces::Nearness near = surfaces::nearness_of(surface, point + way * along);
+    const double slope = glm::dot(near.normal, along);
+    if (std::abs(slope) < good_base) break;
+    way -= near.distance / slope;
+  }
+  return way;
 }
 
 }  // namespace
@@ -110,7 +124,69 @@ Vec3 Unknowns::size_motion(const Unknown& unknown, const Vec3& point) const {
   return surface.kind == SurfaceKind::sphere ? unit_or_zero(off) : out;
 }
 
+Unknowns Unknowns::changed_by(std::vector<double> values) const {
+  check(values.size() == all_.size(), "each unknown has a value");
+  Unknowns changed = *this;
+  changed.values_ = std::move(values);
+  return changed;
+}
+
+void Unknowns::add_change(Row& row, double change) const {
+  if (!values_.empty() && !row.empty()) row.push_back({count(), change});
+}
+
+Vec3 Unknowns::sum_of(int face, UnknownKind kind) const {
+  Vec3 sum(0);
+  for (int i = first(face); i < first(face + 1); ++i)
+    if (const Unknown& unknown = (*this)[i]; unknown.kind == kind && !values_.empty())
+      sum += values_[static_cast<std::size_t>(i)] * unknown.along;
+  return sum;
+}
+
+double Unknowns::size_of(int face, UnknownKind kind) const {
+  for (int i = first(face); i < first(face + 1); ++i)
+    if ((*this)[i].kind == kind && !values_.empty()) return values_[static_cast<std::size_t>(i)];
+  return 0;
+}
+
+// By Rodrigues' formula.
+Vec3 Unknowns::turned(int face, const Vec3& direction) const {
+  const Vec3 turn = sum_of(face, UnknownKind::turn);
+  const double angle = glm::length(turn);
+  if (!(angle > 0)) return direction;
+  const Vec3 about = turn / angle;
+  return std::cos(angle) * direction + std::sin(angle) * glm::cross(about, direction) +
+         (1 - std::cos(angle)) * glm::dot(about, direction) * about;
+}
+
+PartSurface Unknowns::changed(int face) const {
+  PartSurface surface = part_.faces[static_cast<std::size_t>(face)].surface;
+  if (first(face) == first(face + 1)) return surface;
+  if (surface.kind == SurfaceKind::cone)
+    surface.radius += surface.slope * glm::dot(anchor(face) - surface.origin, surface.axis);
+  surface.origin = anchor(face) + part_.size * sum_of(face, UnknownKind::move);
+  surface.axis = turned(face, surface.axis);
+  surface.radius += part_.size * size_of(face, UnknownKind::radius);
+  surface.minor += part_.size * size_of(face, UnknownKind::minor);
+  surface.slope = std::tan(std::atan(surface.slope) + size_of(face, UnknownKind::angle));
+  return surface;
+}
+
 Row Unknowns::axis_motion(int face, const Vec3& point, const Vec3& along) const {
+  Row row = body_motion(face, point, along);
+  if (values_.empty()) return row;
+  const PartSurface& surface = part_.faces[static_cast<std::size_t>(face)].surface;
+  Vec3 now = anchor(face) + part_.size * sum_of(face, UnknownKind::move) + turned(face, point - anchor(face));
+  // The point of an axis is the one that is level with where it was.
+  if (surface.kind == SurfaceKind::cylinder || surface.kind == SurfaceKind::cone) {
+    const Vec3 axis = turned(face, surface.axis);
+    now -= glm::dot(now - point, surface.axis) / glm::dot(axis, surface.axis) * axis;
+  }
+  add_change(row, glm::dot(now - point, along) / part_.size);
+  return row;
+}
+
+Row Unknowns::body_motion(int face, const Vec3& point, const Vec3& along) const {
   const Vec3 arm = (point - anchor(face)) / part_.size;
   Row row;
   for (int i = first(face); i < first(face + 1); ++i) {
@@ -122,10 +198,14 @@ Row Unknowns::axis_motion(int face, const Vec3& point, const Vec3& along) const 
 }
 
 Row Unknowns::surface_motion(int face, const Vec3& point, const Vec3& normal) const {
-  Row row = axis_motion(face, point, normal);
+  Row row = body_motion(face, point, normal);
   for (int i = first(face); i < first(face + 1); ++i)
     if (const Unknown& unknown = (*this)[i]; unknown.kind > UnknownKind::turn)
       row.push_back({i, glm::dot(size_motion(unknown, point), normal)});
+  if (!values_.empty()) {
+    const PartSurface& surface = part_.faces[static_cast<std::size_t>(face)].surface;
+    add_change(row, (way_to(changed(face), point, normal) - way_to(surface, point, normal)) / part_.size);
+  }
   return row;
 }
 
@@ -133,6 +213,10 @@ Row Unknowns::turn(int face, const Vec3& about) const {
   Row row;
   for (int i = first(face); i < first(face + 1); ++i)
     if ((*this)[i].kind == UnknownKind::turn) row.push_back({i, glm::dot((*this)[i].along, about)});
+  if (!values_.empty()) {
+    const Vec3& axis = part_.faces[static_cast<std::size_t>(face)].surface.axis;
+    add_change(row, glm::dot(about, glm::cross(axis, turned(face, axis))));
+  }
   return row;
 }
 
@@ -146,7 +230,11 @@ Row Unknowns::side_turn(int face, const Vec3& point, const Vec3& about) const {
 
 Row Unknowns::growth(int face, UnknownKind size) const {
   for (int i = first(face); i < first(face + 1); ++i)
-    if ((*this)[i].kind == size) return {{i, 1.0}};
+    if ((*this)[i].kind == size) {
+      Row row{{i, 1.0}};
+      add_change(row, size_of(face, size));
+      return row;
+    }
   return {};
 }
 

@@ -40,6 +40,12 @@ class Unknowns {
 
   [[nodiscard]] int count() const { return static_cast<int>(all_.size()); }
   [[nodiscard]] const Unknown& operator[](int number) const { return all_[static_cast<std::size_t>(number)]; }
+  /// The same of a part whose faces have changed by these values, one for each. Then a row has one more term, whose
+  /// unknown is count(): what the change has made of it, not in linear terms but by where the surfaces are.
+  [[nodiscard]] Unknowns changed_by(std::vector<double> values) const;
+  /// A face as the values have changed it.
+  [[nodiscard]] surfaces::PartSurface changed(int face) const;
+
   /// Those of a face are from first(face) to first(face + 1).
   [[nodiscard]] int first(int face) const { return first_[static_cast<std::size_t>(face)]; }
   /// The point about which a face turns: of a plane, cylinder or cone beside its middle, or its centre.
@@ -61,6 +67,11 @@ class Unknowns {
   [[nodiscard]] std::array<double, 6> rigid(int number) const;
 
  private:
+  [[nodiscard]] Row body_motion(int face, const Vec3& point, const Vec3& along) const;
+  [[nodiscard]] Vec3 sum_of(int face, UnknownKind kind) const;
+  [[nodiscard]] double size_of(int face, UnknownKind kind) const;
+  [[nodiscard]] Vec3 turned(int face, const Vec3& direction) const;
+  void add_change(Row& row, double change) const;
   [[nodiscard]] Vec3 radial(int face, const Vec3& point) const;
   [[nodiscard]] Vec3 size_motion(const Unknown& unknown, const Vec3& point) const;
 
@@ -69,6 +80,7 @@ class Unknowns {
   std::vector<Unknown> all_;
   std::vector<int> first_;
   std::vector<Vec3> anchors_;
+  std::vector<double> values_{};  // by unknown; none: as the part is
 };
 
 }  // namespace epura::definition

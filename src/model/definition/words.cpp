@@ -67,12 +67,8 @@ std::string more_faces(std::size_t count) {
   return count == 0 ? "" : " and " + std::to_string(count) + (count == 1 ? " more face" : " more faces");
 }
 
-struct Words {
-  std::string can, add;
-};
-
 // The direction in which all move, and about which all turn, as one body; those of planes only as far as is seen of it.
-Words words_for(const std::vector<Change>& changes, SurfaceKind kind) {
+void say_what(Words& words, const std::vector<Change>& changes, const surfaces::PartSurface& surface) {
   Vec3 move(0), turn(0);
   bool any_size = false;
   for (const Change& change : changes) {
@@ -80,44 +76,59 @@ Words words_for(const std::vector<Change>& changes, SurfaceKind kind) {
     if (glm::length(change.turn) > glm::length(turn) * (1 + same_size)) turn = change.turn;
     any_size = any_size || change.has_size();
   }
-  const bool turns = glm::length(turn) > 0, moves_too = glm::length(move) > 0;
-  if (any_size && !turns && !moves_too)
-    return {std::string(size_name(changes.front(), kind)) + " free",
-            kind == SurfaceKind::cone ? "a diameter, an angle or a length" : "a radius or diameter"};
-  if (turns) return {"can turn about " + direction_text(turn), "an angle"};
-  const std::string along = direction_text(move);
-  return any_size ? Words{"can grow as its place moves along " + along, "a radius, or a distance along " + along}
-                  : Words{"can move along " + along, "a distance along " + along};
+  const bool turns = glm::length(turn) > 0;
+  words.is_move = !turns && glm::length(move) > 0;
+  if (turns) {
+    words.along = glm::normalize(turn);
+    words.can = "can turn about " + direction_text(turn);
+    words.add = "an angle";
+  } else if (words.is_move) {
+    const std::string along = direction_text(move);
+    words.along = glm::normalize(move);
+    words.can = any_size ? "can grow as its place moves along " + along : "can move along " + along;
+    words.add = std::string(any_size ? "a radius, or " : "") + "a distance along " + along;
+  } else if (any_size) {
+    if (surfaces::has_axis(surface.kind)) words.along = surface.axis;
+    words.can = std::string(size_name(changes.front(), surface.kind)) + " free";
+    words.add = surface.kind == SurfaceKind::cone ? "a diameter, an angle or a length" : "a radius or diameter";
+  }
 }
 
 }  // namespace
 
-std::string name_of_face(const Face& face, const LengthText& length) {
+std::string name_of_face(const Face& face, const LengthText& length, int number) {
   const surfaces::PartSurface& surface = face.surface;
   std::string name = std::string(surfaces::surface_kind_names[static_cast<std::size_t>(surface.kind)]);
   if (surface.kind == SurfaceKind::cylinder || surface.kind == SurfaceKind::sphere)
     name += " R" + length(surface.radius);
   if (surface.kind == SurfaceKind::torus)
     name += " R" + length(surface.minor) + " around ⌀" + length(2 * surface.radius);
-  return name + " face of " + format_rounded(face.area, 4) + " mm² at (" + length(face.at.x) + ", " +
-         length(face.at.y) + ", " + length(face.at.z) + ")";
+  name += " face" + (number > 0 ? " " + std::to_string(number) : "");
+  return name + " of " + format_rounded(face.area, 4) + " mm² at (" + length(face.at.x) + ", " + length(face.at.y) +
+         ", " + length(face.at.z) + ")";
 }
 
-std::string sentence_of(const Motion& motion, const Part& part, const Unknowns& unknowns, const LengthText& length) {
+Words words_of(const Motion& motion, const Part& part, const Unknowns& unknowns) {
+  Words words{-1, 0, "", "", Vec3(0), false};
   std::vector<Change> changes;
-  int largest = -1;
   std::size_t count = 0;
   for (const int face : motion.faces) {
     const Face& one = part.faces[static_cast<std::size_t>(face)];
     changes.push_back(change_of(face, motion, unknowns));
     if (one.area <= 0) continue;
     ++count;
-    if (largest < 0 || one.area > part.faces[static_cast<std::size_t>(largest)].area * (1 + same_size)) largest = face;
+    if (words.face < 0 || one.area > part.faces[static_cast<std::size_t>(words.face)].area * (1 + same_size))
+      words.face = face;
   }
-  if (largest < 0) return "";
-  const Face& named = part.faces[static_cast<std::size_t>(largest)];
-  const Words words = words_for(changes, named.surface.kind);
-  return name_of_face(named, length) + more_faces(count - 1) + ": " + words.can + "; add " + words.add;
+  if (words.face < 0) return words;
+  words.others = count - 1;
+  say_what(words, changes, part.faces[static_cast<std::size_t>(words.face)].surface);
+  return words;
+}
+
+std::string sentence_of(const Words& words, const Part& part, const LengthText& length, int number) {
+  return name_of_face(part.faces[static_cast<std::size_t>(words.face)], length, number) + more_faces(words.others) +
+         ": " + words.can + "; add " + words.add;
 }
 
 }  // namespace epura::definition

@@ -32,7 +32,8 @@ bool want_facts(const std::vector<pipeline::Target>& targets) {
 }
 
 void expect_outputs(const DrawOptions& options) {
-  const bool asked = !options.run.why.empty() || options.run.dump || options.run.explain || options.run.lint;
+  const bool asked =
+      !options.run.why.empty() || options.run.dump || options.run.explain || options.run.lint || options.run.rebuild;
   if (!asked && options.outputs.empty())
     throw Error(ErrorKind::input, "command line", "--output is required",
                 "write where to draw, such as -o drawing.pdf; see 'epura draw --help'");
@@ -125,7 +126,7 @@ DrawnFiles draw_within(const DrawOptions& options, const DescribeScene& describe
 
   pipeline::RunOptions run = options.run;
   const bool proves = options.vector.proof != output::Proof::none;
-  run.keeps_drawings = proves || want_drawings(targets);
+  run.keeps_drawings = proves || run.hatch_free || want_drawings(targets);
   run.verify = run.verify || proves;
   run.lint = run.lint || proves;
   run.line_facts = want_facts(targets);
@@ -151,7 +152,8 @@ DrawnFiles draw_within(const DrawOptions& options, const DescribeScene& describe
   progress.lift_limit();
   for (const pipeline::FileBytes& file : files) pipeline::write(file, progress);
   watch.lap("write");
-  return {paths_of(files), std::move(report), std::move(drawn.answers), watch, std::move(drawn.sheets)};
+  return {paths_of(files), std::move(report),       std::move(drawn.answers),
+          watch,           std::move(drawn.sheets), std::move(drawn.rebuilt)};
 }
 
 }  // namespace

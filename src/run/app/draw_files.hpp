@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "base/progress.hpp"
 #include "pipeline/targets.hpp"
 #include "report/report.hpp"
+#include "sheet/dimensions/rebuilt_part.hpp"
 #include "views/draw_view.hpp"
 #include "views/messages.hpp"
 
@@ -21,6 +23,7 @@ struct DrawnFiles {
   std::string answers;  ///< answers to --why, --dump and --explain
   pipeline::Stopwatch watch;
   std::vector<pipeline::FinishedSheet> sheets;  ///< content of the files; takes most of the memory
+  std::optional<sheet::RebuiltPart> rebuilt{};  ///< for define
 
   [[nodiscard]] bool is_wrong() const { return report.verification && !report.verification->is_right(); }
 };

@@ -414,15 +414,27 @@ scene::Options<DrawOptions> lint_options() {
   scene::Options<Draw> all = draw_options();
   all.push_back(scene::option<Draw>(
       {.flag = "--json", .help = "findings as JSON; - for standard output", .nature = scene::Nature::run},
-      &Draw::lint_json, file_name("FILE")));
+      &Draw::found_json, file_name("FILE")));
   all.push_back(scene::option<Draw>({.flag = "--all",
                                      .help = "list all findings; otherwise three of those that differ in numbers alone",
                                      .nature = scene::Nature::run},
                                     &Draw::lint_all, scene::truth()));
-  all.push_back(scene::option<Draw>({.flag = "--free-faces",
-                                     .help = "tell which faces the dimensions leave free to move, turn or grow",
+  all.push_back(scene::option<Draw>({.flag = "--picture",
+                                     .help = "the drawing, with the faces hatched that the dimensions leave free",
                                      .nature = scene::Nature::run},
-                                    &Draw::lint_free_faces, scene::truth()));
+                                    &Draw::lint_picture, file_name("FILE")));
+  return all;
+}
+
+scene::Options<DrawOptions> define_options() {
+  scene::Options<Draw> all = draw_options();
+  all.push_back(scene::option<Draw>(
+      {.flag = "--json", .help = "the result as JSON; - for standard output", .nature = scene::Nature::run},
+      &Draw::found_json, file_name("FILE")));
+  all.push_back(scene::option<Draw>({.flag = "--rebuild",
+                                     .help = "perturb the faces of the part, and find them again from the numbers",
+                                     .nature = scene::Nature::run},
+                                    run(&pipeline::RunOptions::rebuild), scene::truth()));
   return all;
 }
 

@@ -18,6 +18,8 @@ scene::Options<DrawOptions> explain_options();
 
 /// The options of `epura lint`.
 scene::Options<DrawOptions> lint_options();
+/// The options of `epura define`.
+scene::Options<DrawOptions> define_options();
 
 // Rows shared by several commands.
 template <class Command, class Member>

@@ -12,6 +12,7 @@
 #include "app/commands.hpp"
 #include "app/console.hpp"
 #include "app/draw_files.hpp"
+#include "base/error.hpp"
 #include "base/text.hpp"
 #include "output/json_text.hpp"
 #include "pipeline/targets.hpp"
@@ -20,40 +21,89 @@ namespace epura {
 
 namespace {
 
-std::string name_of(const report::Finding& finding) {
-  return report::finding_names[static_cast<std::size_t>(finding.kind)];
-}
+using report::Axis;
+
+std::string axis_name(Axis axis) { return report::axis_names[static_cast<std::size_t>(axis)]; }
 
 std::string sentence_of(const report::Finding& finding) {
   const std::string view = finding.view.empty() ? "" : " (view '" + finding.view + "')";
-  return name_of(finding) + ": " + finding.what + view + "\n";
+  const std::string accepted = finding.accepted.empty() ? "" : " (accepted: " + finding.accepted + ")";
+  return std::string(finding.row().name) + ": " + finding.what + view + accepted + "\n";
 }
 
+// Schema: lint.schema.json.
 std::string json_of(const report::Finding& finding) {
-  std::string text = "{\"kind\": " + output::json_string(name_of(finding));
+  std::string text = "{\"kind\": " + output::json_string(finding.row().name) +
+                     ", \"axis\": " + output::json_string(axis_name(finding.row().axis)) +
+                     ", \"fault\": " + (finding.is_fault() ? "true" : "false");
   if (!finding.view.empty()) text += ", \"view\": " + output::json_string(finding.view);
+  if (finding.face > 0) text += ", \"face\": " + std::to_string(finding.face);
+  if (!finding.accepted.empty()) text += ", \"accepted\": " + output::json_string(finding.accepted);
   return text + ", \"what\": " + output::json_string(finding.what) + "}";
 }
 
 std::string json_of(const report::SizeCount& count) {
   return "{\"kind\": " + output::json_string(count.kind) + ", \"given\": " + std::to_string(count.given) +
-         ", \"all\": " + std::to_string(count.all) + "}";
+         ", \"unsure\": " + std::to_string(count.unsure) + ", \"all\": " + std::to_string(count.all) + "}";
+}
+
+/// How many findings on an axis there are.
+struct AxisCount {
+  int faults = 0, accepted = 0, undecided = 0;
+};
+
+AxisCount count_on(Axis axis, const std::vector<report::Finding>& findings) {
+  AxisCount count;
+  for (const report::Finding& finding : findings)
+    if (finding.row().axis == axis)
+      ++(finding.is_fault() ? count.faults : finding.accepted.empty() ? count.undecided : count.accepted);
+  return count;
 }
 
 int missing_in(const std::vector<report::SizeCount>& sizes) {
   return std::accumulate(sizes.begin(), sizes.end(), 0,
-                         [](int missing, const report::SizeCount& one) { return missing + one.all - one.given; });
+                         [](int missing, const report::SizeCount& one) { return missing + one.missing(); });
 }
 
-// "sizes: 53 of 56 plane faces, 12 of 12 holes; 3 have none"
-std::string sentence_of(const std::vector<report::SizeCount>& sizes) {
-  if (sizes.empty()) return "sizes: no faces are counted, only overall sizes and places of parts are checked\n";
+// "53 of 56 plane faces, 12 of 12 holes; 3 have none"
+std::string text_of(const std::vector<report::SizeCount>& sizes) {
+  if (sizes.empty()) return "no faces are counted, only overall sizes and places of parts are checked";
   std::string text;
-  for (const report::SizeCount& one : sizes)
+  int unsure = 0;
+  for (const report::SizeCount& one : sizes) {
     append_to_list(text, std::to_string(one.given) + " of " + std::to_string(one.all) + " " + one.kind);
+    unsure += one.unsure;
+  }
   if (const int missing = missing_in(sizes); missing > 0)
     text += "; " + std::to_string(missing) + (missing == 1 ? " has none" : " have none");
-  return "sizes: " + text + "\n";
+  if (unsure > 0) text += "; of " + std::to_string(unsure) + " nobody can tell";
+  return text;
+}
+
+std::string text_of(const std::vector<report::RequirementRow>& rows) {
+  const auto wanted = std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.wanted; });
+  const auto drawn =
+      std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.wanted && row.is_drawn(); });
+  return wanted == 0 ? "" : std::to_string(drawn) + " of " + std::to_string(wanted) + " are drawn";
+}
+
+// A line for each axis: "fidelity: 2 faults".
+std::string axes_of(const report::Report& report) {
+  std::string text;
+  for (std::size_t i = 0; i < report::axis_names.size(); ++i) {
+    const auto axis = static_cast<Axis>(i);
+    const AxisCount count = count_on(axis, report.findings);
+    std::string line = axis == Axis::completeness   ? text_of(report.sizes)
+                       : axis == Axis::requirements ? text_of(report.requirements)
+                                                    : "";
+    if (count.faults > 0 || line.empty())
+      append_to_list(line, count.faults == 0   ? "no fault"
+                           : count.faults == 1 ? "1 fault"
+                                               : std::to_string(count.faults) + " faults");
+    if (count.accepted > 0) append_to_list(line, std::to_string(count.accepted) + " accepted");
+    text += axis_name(axis) + ": " + line + "\n";
+  }
+  return text;
 }
 
 // Of a machine, most sizes have no room.
@@ -97,7 +147,7 @@ std::string printed_findings(const std::vector<report::Finding>& findings, bool 
     const bool is_told = all || number <= max_alike || count == max_alike + 1;
     if (is_told) text += sentence_of(finding);
     if (!is_told && number == count)
-      text += name_of(finding) + ": " + std::to_string(count - max_alike) +
+      text += std::string(finding.row().name) + ": " + std::to_string(count - max_alike) +
               " more that differ in numbers from: " + finding.what + " (--all lists them)\n";
   }
   return text;
@@ -107,29 +157,44 @@ std::string printed_findings(const std::vector<report::Finding>& findings, bool 
 
 std::string findings_json(const report::Report& report) {
   const auto write = [](const report::Finding& finding) { return json_of(finding); };
-  return "{\"epura_lint\": 1, \"findings\": " + output::json_lines(report.findings, write, "\n  ") +
+  std::string axes;
+  for (std::size_t axis = 0; axis < report::axis_names.size(); ++axis) {
+    const AxisCount count = count_on(static_cast<Axis>(axis), report.findings);
+    axes += (axes.empty() ? "" : ", ") + output::json_string(report::axis_names[axis]) +
+            ": {\"faults\": " + std::to_string(count.faults) + ", \"accepted\": " + std::to_string(count.accepted) +
+            ", \"undecided\": " + std::to_string(count.undecided) + "}";
+  }
+  return "{\"epura_lint\": 1, \"axes\": {" + axes +
+         "}, \"findings\": " + output::json_lines(report.findings, write, "\n  ") +
          ", \"sizes\": " + output::json_list(report.sizes, [](const report::SizeCount& one) { return json_of(one); }) +
          ", \"views_to_add\": " + output::json_list(report.views_to_add, output::json_string) + "}\n";
 }
 
 int lint(DrawOptions options) {
   options.run.lint = true;
-  options.run.free_faces = options.lint_free_faces;
-  if (!options.lint_json.empty()) pipeline::refuse_overwriting({options.lint_json}, options.models);
+  options.run.hatch_free = !options.lint_picture.empty();
+  if (options.run.hatch_free) {
+    if (!options.outputs.empty())
+      throw Error(ErrorKind::input, "--picture", "stands in the place of --output", "omit one of them");
+    options.outputs = {options.lint_picture};
+  }
+  if (!options.found_json.empty()) pipeline::refuse_overwriting({options.found_json}, options.models);
   ProgressBoard board;
   Console console(board, shows_progress(options.progress), options.run.time_limit);
   const DrawnFiles drawn = draw_files(options, messages_to(console), Progress(board, options.run.time_limit));
   console.print("");
   tell_the_end(messages_to(console), options, drawn);
   const std::vector<report::Finding>& findings = drawn.report.findings;
-  if (!options.lint_json.empty()) pipeline::write({options.lint_json, findings_json(drawn.report)}, {});
-  if (options.lint_json != "-") {
+  if (!options.found_json.empty()) pipeline::write({options.found_json, findings_json(drawn.report)}, {});
+  if (options.found_json != "-") {
     std::fputs(printed_findings(findings, options.lint_all).c_str(), stdout);
     std::fputs((hint_for_machines(drawn.report) + hint_of(drawn.report.views_to_add)).c_str(), stdout);
-    std::fputs(sentence_of(drawn.report.sizes).c_str(), stdout);
+    std::fputs(axes_of(drawn.report).c_str(), stdout);
   }
+  const bool is_faulty = missing_in(drawn.report.sizes) > 0 ||
+                         std::any_of(findings.begin(), findings.end(), [](const auto& one) { return one.is_fault(); });
   const int code = exit_code_of(drawn);
-  return code == 0 && (missing_in(drawn.report.sizes) > 0 || !findings.empty()) ? found_wrong_exit_code : code;
+  return code == 0 && is_faulty ? found_wrong_exit_code : code;
 }
 
 }  // namespace epura

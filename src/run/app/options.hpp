@@ -57,10 +57,10 @@ struct DrawOptions {
   pipeline::RunOptions run;
   bool timings = false;
   ShowProgress progress = ShowProgress::automatic;
-  std::string lint_json;         ///< lint: file of its findings; empty: none
-  bool lint_all = false;         ///< lint: print those that differ in numbers alone, too
-  bool lint_free_faces = false;  ///< lint: tell of faces that the dimensions leave free
-  bool measure = false;          ///< measure the time saved by shortcuts, by runs without them
+  std::string found_json;    ///< lint, define: file of what they find; empty: none
+  std::string lint_picture;  ///< lint: file of the drawing with its free faces hatched; empty: none
+  bool lint_all = false;     ///< lint: print those that differ in numbers alone, too
+  bool measure = false;      ///< measure the time saved by shortcuts, by runs without them
   /// The options that decide what is drawn and found, in words as on the command line: name and value.
   std::vector<std::pair<std::string, std::string>> given{};
 };

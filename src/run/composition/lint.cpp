@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -95,17 +96,35 @@ void add_uncovered_sizes(report::Report& report, const world::World& world, cons
   report.views_to_add = std::move(coverage.views_to_add);
 }
 
-void add_free_faces(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
-                    std::span<const sheet::DimensionsInView> views) {
+HatchedFaces add_free_faces(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
+                            std::span<const sheet::DimensionsInView> views, std::span<const AcceptedFaces> accepted) {
   const auto extents = features::true_extents(world);
-  sheet::FreeFaces free = sheet::find_free_faces(views, world, extents, notation_of(world, scene.sheets.front()));
-  for (const std::string& what : free.sentences)
-    report.findings.push_back({report::FindingKind::undimensioned, "", what});
-  for (const std::string& what : free.undecided) report.findings.push_back({report::FindingKind::undecided, "", what});
-  for (const std::string& what : free.contradictory)
+  sheet::FreeFaces found = sheet::find_free_faces(views, world, extents, notation_of(world, scene.sheets.front()));
+  std::set<int> faulty, accepted_free;
+  for (const sheet::FreeFace& one : found.free) {
+    const auto by = std::find_if(accepted.begin(), accepted.end(), [&](const AcceptedFaces& known) {
+      return known.model == 0 && std::find(known.faces.begin(), known.faces.end(), one.face) != known.faces.end();
+    });
+    const std::string reason = by == accepted.end() ? "" : by->reason;
+    report.findings.push_back({report::FindingKind::undimensioned, "", one.sentence, one.number, reason});
+    (reason.empty() ? faulty : accepted_free).insert(one.faces.begin(), one.faces.end());
+  }
+  for (const int face : faulty) accepted_free.erase(face);
+  found.count.given += static_cast<int>(accepted_free.size());
+  for (const std::string& what : found.undecided) report.findings.push_back({report::FindingKind::undecided, "", what});
+  for (const std::string& what : found.contradictory)
     report.findings.push_back({report::FindingKind::contradictory, "", what});
-  for (const std::string& what : free.untrue) report.findings.push_back({report::FindingKind::untrue, "", what});
-  if (free.count.all > 0) report.sizes.push_back(std::move(free.count));
+  for (const std::string& what : found.untrue) report.findings.push_back({report::FindingKind::untrue, "", what});
+  if (found.count.all > 0) report.sizes.push_back(std::move(found.count));
+  return {{faulty.begin(), faulty.end()}, std::move(found.numbers)};
+}
+
+void add_missing_requirements(report::Report& report) {
+  for (const report::RequirementRow& row : report.requirements)
+    if (row.is_missing())
+      report.findings.push_back(
+          {report::FindingKind::not_drawn, "",
+           row.model + ", " + row.id + ": " + row.what + (row.why.empty() ? "" : ", " + row.why)});
 }
 
 std::vector<report::Finding> undefined_free_forms(const world::World& world, const scene::SceneDescription& scene,

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "composition/annotations.hpp"
+#include "composition/free_face_layer.hpp"
 #include "report/report.hpp"
 #include "sheet/dimensions/coverage.hpp"
 #include "view/projected_scene.hpp"
@@ -26,9 +28,21 @@ void leave_out(std::span<sheet::DimensionsInView> views, std::span<const std::ve
 void add_uncovered_sizes(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
                          std::span<const sheet::DimensionsInView> views, const Progress& progress);
 
-/// Adds the faces that the dimensions leave free to a report, and how many they hold.
-void add_free_faces(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
-                    std::span<const sheet::DimensionsInView> views);
+/// Faces of a model that a scene accepts as they are.
+struct AcceptedFaces {
+  int model;
+  std::string feature;  ///< "face 12"
+  std::vector<int> faces;
+  std::string reason;
+};
+
+/// Adds the faces that the dimensions leave free to a report, and how many they hold. What is accepted of the face by
+/// which it is named, is no fault. Returns the others.
+HatchedFaces add_free_faces(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
+                            std::span<const sheet::DimensionsInView> views, std::span<const AcceptedFaces> accepted);
+
+/// Adds the requirements that the sheets lack to the findings.
+void add_missing_requirements(report::Report& report);
 
 /// Models whose faces are not recognised, and faces of free form, that neither a tolerance nor a note gives.
 std::vector<report::Finding> undefined_free_forms(const world::World& world, const scene::SceneDescription& scene,

@@ -82,6 +82,8 @@ constexpr std::array parts{
             "What is required of a surface, or of the whole part. ISO 21920-1."},
     PartRow{"requirement", "Requirement", "requirements",
             "What is required of faces of a model, as model files state it: drawn, and in the ledger."},
+    PartRow{"accepted", "Accepted", "accepted",
+            "A feature of which `epura lint` need not say what is not dimensioned."},
     PartRow{"table", "Table", "tables", "A table of texts on a sheet."},
     PartRow{"revision", "Revision", "revisions", "A row of the table of revisions of a sheet."},
     PartRow{"parts_list", "PartsList", "parts_list",

@@ -11,6 +11,7 @@
 #include "composition/annotations.hpp"
 #include "composition/compose.hpp"
 #include "composition/detail_layers.hpp"
+#include "composition/dimension_facts.hpp"
 #include "composition/free_forms.hpp"
 #include "composition/line_facts.hpp"
 #include "composition/lint.hpp"
@@ -63,6 +64,7 @@ struct Gathered {
   std::string answers{};
   std::vector<sheet::DimensionsInView> dimensioned{};  ///< for lint
   MatchedSizes sizes{};
+  std::optional<sheet::RebuiltPart> rebuilt{};
 };
 
 /// A sheet before its views are positioned.
@@ -72,6 +74,9 @@ struct PreparedSheet {
   std::vector<Annotations> annotations;
   std::vector<sheet::DimensionsInView> anchored;  ///< for lint
 };
+
+// Whether somebody asks what the dimensions measure.
+bool needs_anchors(const RunOptions& options) { return options.lint || options.rebuild || options.keeps_drawings; }
 
 struct Attempt;
 using DrawSheet = std::function<FinishedSheet()>;
@@ -119,6 +124,7 @@ struct Run {
   PreparedSheet with_holes(const ShownWorlds& worlds, PreparedSheet sheet, HoleDimensions holes) const;
   FinishedSheet draw_best_sheet(const ShownWorlds& worlds, SheetOfViews views);
   std::vector<FinishedSheet> draw_sheets(const std::vector<SheetOfViews>& sheets);
+  void lint(std::span<FinishedSheet> sheets, const ShownWorlds& worlds);
 };
 
 void Run::find_heights(const world::World& world) {
@@ -251,7 +257,7 @@ PreparedSheet Run::prepare_sheet(const ShownWorlds& worlds, SheetOfViews views) 
   std::vector<Annotations> annotations = annotate(whole, scene, views, seen, worlds.surfaces());
   for (const Annotations& of_view : annotations) gathered.sizes.add(of_view.sizes);
   std::vector<sheet::DimensionsInView> anchored;
-  if (options.lint) anchored = anchored_dimensions(whole, views, seen, annotations);
+  if (needs_anchors(options)) anchored = anchored_dimensions(whole, views, seen, annotations);
   return {std::move(views), std::move(seen), std::move(annotations), std::move(anchored)};
 }
 
@@ -335,11 +341,22 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
   return sheet;
 }
 
+// Of ascending numbers.
+int count_below(const std::vector<std::size_t>& numbers, int limit) {
+  return static_cast<int>(std::count_if(numbers.begin(), numbers.end(),
+                                        [limit](std::size_t one) { return static_cast<int>(one) < limit; }));
+}
+
 void Run::finish(FinishedSheet& sheet, const SheetPlan& plan, std::vector<sheet::DimensionsInView> anchored) {
   sheet.next_size = plan.next_size;
   std::vector<std::vector<std::size_t>> undrawn = sheet.left_out;
   for (std::size_t view = 0; view < sheet.unseen.size(); ++view) add_all(undrawn[view], sheet.unseen[view]);
   for (std::vector<std::size_t>& numbers : undrawn) std::sort(numbers.begin(), numbers.end());
+  for (sheet::Layer& layer : sheet.sheet.layers)
+    for (sheet::DimensionObject& object : layer.dimensions)
+      for (std::size_t view = 0; view < anchored.size(); ++view)
+        if (layer.name.starts_with(anchored[view].view + "/"))
+          object.number -= count_below(undrawn[view], object.number);
   leave_out(anchored, undrawn);
   add_all(gathered.dimensioned, std::move(anchored));
 }
@@ -455,7 +472,8 @@ PreparedSheet Run::with_holes(const ShownWorlds& worlds, PreparedSheet sheet, Ho
   for (scene::DimensionDescription& dimension : other.dimensions) dimension.holes.value = holes;
   project_again(sheet, worlds);
   sheet.annotations = annotate(worlds.main(), other, sheet.views, sheet.seen, worlds.surfaces());
-  if (options.lint) sheet.anchored = anchored_dimensions(worlds.main(), sheet.views, sheet.seen, sheet.annotations);
+  if (needs_anchors(options))
+    sheet.anchored = anchored_dimensions(worlds.main(), sheet.views, sheet.seen, sheet.annotations);
   return sheet;
 }
 
@@ -531,12 +549,35 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   }
   warn_of_unmatched(messages, scene, gathered.sizes);
   gathered.report.requirements = end_ledger(required, messages, options.allow_missing);
-  if (options.lint) {
-    add_uncovered_sizes(gathered.report, worlds.main(), scene, gathered.dimensioned, progress);
-    if (options.free_faces) add_free_faces(gathered.report, worlds.main(), scene, gathered.dimensioned);
-    add_all(gathered.report.findings, undefined_free_forms(worlds.main(), scene, refers_to_models));
-  }
+  if (options.keeps_drawings) add_dimension_facts(finished, gathered.dimensioned, worlds.main(), scene);
+  if (options.lint) lint(finished, worlds);
+  if (options.rebuild)
+    gathered.rebuilt = sheet::rebuild_part(gathered.dimensioned, worlds.main(), features::true_extents(worlds.main()),
+                                           notation_of(worlds.main(), scene.sheets.front()));
   return finished;
+}
+
+void Run::lint(std::span<FinishedSheet> sheets, const ShownWorlds& worlds) {
+  report::Report& report = gathered.report;
+  if (!options.allow_missing) add_missing_requirements(report);
+  add_uncovered_sizes(report, worlds.main(), scene, gathered.dimensioned, progress);
+  const std::vector<AcceptedFaces> accepted = accepted_faces(scene, worlds.main());
+  const HatchedFaces free = add_free_faces(report, worlds.main(), scene, gathered.dimensioned, accepted);
+  add_all(report.findings, undefined_free_forms(worlds.main(), scene, refers_to_models));
+  for (const AcceptedFaces& one : accepted)
+    if (std::none_of(report.findings.begin(), report.findings.end(),
+                     [&one](const report::Finding& finding) { return finding.accepted == one.reason; }))
+      messages.warn("nothing is found of the accepted " + one.feature + "\n  hint: remove it from the scene");
+  if (!options.hatch_free) return;
+  for (FinishedSheet& sheet : sheets)
+    for (const drawing::ViewDrawing& drawing : sheet.drawings) {
+      const auto view = std::find_if(scene.views.begin(), scene.views.end(),
+                                     [&drawing](const auto& one) { return one.name.value == drawing.name; });
+      if (view == scene.views.end()) continue;
+      sheet::Layer layer =
+          free_face_layer(drawing, worlds.seen_in(*view), free, sheet::line_widths(sheet.paper).narrow);
+      if (!layer.strokes.empty()) sheet.sheet.layers.insert(sheet.sheet.layers.begin(), std::move(layer));
+    }
 }
 
 DrawnScene draw_once(const scene::SceneDescription& scene, const RunOptions& options, const RunContext& context,
@@ -550,7 +591,8 @@ DrawnScene draw_once(const scene::SceneDescription& scene, const RunOptions& opt
   if (!run.gathered.report.partial.stages.empty() && !run.gathered.has_lines)
     throw OutOfTime{run.gathered.report.partial.stages.front()};
   run.judge(run.gathered.report.errors);
-  return {std::move(finished), std::move(run.gathered.report), std::move(run.gathered.answers)};
+  return {std::move(finished), std::move(run.gathered.report), std::move(run.gathered.answers),
+          std::move(run.gathered.rebuilt)};
 }
 
 // Reads surfaces again, with finer facets, while lines are farther off than --max-error. Attempts hardly depend on it,

@@ -2,6 +2,7 @@
 // One run from a scene to its sheets, for the program and the library.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 #include "composition/finished_sheet.hpp"
 #include "report/report.hpp"
 #include "scene/description.hpp"
+#include "sheet/dimensions/rebuilt_part.hpp"
 #include "views/draw_view.hpp"
 #include "views/messages.hpp"
 #include "views/options.hpp"
@@ -25,7 +27,8 @@ struct RunContext {
 struct DrawnScene {
   std::vector<FinishedSheet> sheets;  ///< most of the memory
   report::Report report;
-  std::string answers;  ///< to RunOptions::why and dump
+  std::string answers;                          ///< to RunOptions::why and dump
+  std::optional<sheet::RebuiltPart> rebuilt{};  ///< if requested, and possible
 };
 
 /// Reads the models and draws all views. The scene must have models, named views and sheets. Several threads may draw

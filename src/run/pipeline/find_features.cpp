@@ -34,9 +34,10 @@ using scene::FeatureName;
 using surfaces::SurfaceKind;
 
 struct FoundFeature {
-  Vec3 centre;               ///< on its axis, if it has one
-  Vec3 surface;              ///< on its rim or face
-  std::vector<int> faces{};  ///< of the part; of a hole, its narrowest bore
+  Vec3 centre;                   ///< on its axis, if it has one
+  Vec3 surface;                  ///< on its rim or face
+  std::vector<int> faces{};      ///< of the part; of a hole, its narrowest bore
+  std::vector<int> all_faces{};  ///< of a hole, all
   std::optional<FeatureCircle> circle{};
 };
 
@@ -86,7 +87,7 @@ std::vector<FoundFeature> faces_of(const world::Placed& placed, const surfaces::
     const surfaces::PartFace& face = in_world->faces[i];
     const surfaces::PartSurface& surface = face.surface;
     const Vec3 middle(placed.to_world * Vec4(middles[i], 1));
-    FoundFeature found{middle, facet_near(facets[i], middle), {number}};
+    FoundFeature found{middle, facet_near(facets[i], middle), {number}, {number}};
     if (surfaces::has_axis(surface.kind))
       found.centre = surface.origin + glm::dot(middle - surface.origin, surface.axis) * surface.axis;
     if (surface.kind == SurfaceKind::sphere) found.centre = surface.origin;
@@ -122,7 +123,7 @@ std::vector<FoundFeature> holes_of(const world::Placed& placed, const surfaces::
     const Vec3 mouth(placed.to_world * Vec4(from, 1));
     const Vec3 axis = glm::normalize(Vec3(placed.to_world * Vec4(from - to, 0)));
     const double radius = *scale * hole.diameters.back() / 2;
-    holes.push_back({mouth, mouth + radius * any_across(axis), narrowest_bore(hole, part),
+    holes.push_back({mouth, mouth + radius * any_across(axis), narrowest_bore(hole, part), hole.faces,
                      FeatureCircle{mouth, axis, *scale * hole.diameters.front() / 2}});
   }
   return holes;
@@ -276,6 +277,15 @@ void state_by_features(std::vector<FileRequirements>& required, const scene::Sce
     file->all.push_back(std::move(one));
   }
   for (FileRequirements& file : required) begin_ledger(file, scene);
+}
+
+std::vector<AcceptedFaces> accepted_faces(const scene::SceneDescription& scene, const world::World& world) {
+  Features features(scene, world);
+  std::vector<AcceptedFaces> accepted;
+  for (const scene::AcceptedDescription& one : scene.accepted)
+    accepted.push_back({features.model_of(*one.feature, one.feature.where), one.feature->text,
+                        features.find(*one.feature, one.feature.where).all_faces, *one.reason});
+  return accepted;
 }
 
 void find_details(SheetOfViews& sheet, const scene::SceneDescription& scene) {

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "composition/lint.hpp"
 #include "composition/state_requirements.hpp"
 #include "scene/description.hpp"
 #include "views/view_plan.hpp"
@@ -23,6 +24,9 @@ void find_features(scene::SceneDescription& scene, const world::World& world);
 /// features that do not exist, and for faces that are not recognised.
 void state_by_features(std::vector<FileRequirements>& required, const scene::SceneDescription& scene,
                        const world::World& world);
+
+/// The faces that the scene accepts as they are. Throws Error{input} for features that do not exist.
+std::vector<AcceptedFaces> accepted_faces(const scene::SceneDescription& scene, const world::World& world);
 
 /// Gives the details that a sheet shows the centres that the scene has found for them.
 void find_details(SheetOfViews& sheet, const scene::SceneDescription& scene);

@@ -67,7 +67,8 @@ struct RunOptions {
   Shortcuts plan;              ///< shortcuts in use
   bool explain = false;        ///< print the steps
   bool lint = false;           ///< report faults of the dimensions
-  bool free_faces = false;     ///< with these, faces that the dimensions leave free
+  bool rebuild = false;        ///< find the faces of the part again from the numbers on the sheets
+  bool hatch_free = false;     ///< with these, hatch the faces that the dimensions leave free
   bool allow_missing = false;  ///< sheets may lack what model files require
   Balloons balloons = Balloons::none;
   bool error_note = false;      ///< sheets state above the title block how far lines may be from those of the part

@@ -12,6 +12,7 @@
 #include "drawing/drawing.hpp"
 #include "output/format.hpp"
 #include "output/in_order.hpp"
+#include "output/json_annotations.hpp"
 #include "output/json_text.hpp"
 #include "report/format.hpp"
 #include "report/report.hpp"
@@ -398,7 +399,10 @@ std::string to_json(const sheet::Sheet& sheet, double scale, std::span<const dra
     text += &drawing == drawings.data() ? "\n  " : ",\n  ";
     append_view(text, drawing, scale, progress);
   }
-  text += "],\n \"report\": " + report_of(report) + "}\n";
+  text += "],";
+  if (const std::string annotations = json_of_annotations(sheet); !annotations.empty())
+    text += "\n \"annotations\": " + annotations + ",";
+  text += "\n \"report\": " + report_of(report) + "}\n";
   return text;
 }
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -68,21 +70,61 @@ struct Tessellation {
   double on_paper = 0;  ///< the same in the largest view, mm
 };
 
-enum class FindingKind { undimensioned, undecided, repeated, contradictory, untrue, crossing, small_text, off_sheet };
-inline constexpr std::array finding_names{"not dimensioned", "cannot tell", "dimensioned twice", "contradictory",
-                                          "untrue",          "crossing",    "too small",         "off the sheet"};
+/// What is judged of a drawing, each apart: no number adds them up.
+enum class Axis : std::uint8_t { requirements, completeness, fidelity, legibility, restraint };
+inline constexpr std::array axis_names{"requirements", "completeness", "fidelity", "legibility", "restraint"};
 
-/// A fault of the dimensions of a drawing.
+enum class FindingKind {
+  not_drawn,
+  undimensioned,
+  undecided,
+  contradictory,
+  untrue,
+  crossing,
+  small_text,
+  off_sheet,
+  repeated
+};
+
+/// A row of the table of kinds.
+struct FindingRow {
+  const char* name;
+  Axis axis;
+  bool is_fault = true;  ///< otherwise it is said, and the drawing may be right
+};
+
+/// By FindingKind.
+inline constexpr std::array<FindingRow, 9> finding_rows{{
+    {"not drawn", Axis::requirements},
+    {"not dimensioned", Axis::completeness},
+    {"cannot tell", Axis::completeness, false},
+    {"contradictory", Axis::fidelity},
+    {"untrue", Axis::fidelity},
+    {"crossing", Axis::legibility},
+    {"too small", Axis::legibility},
+    {"off the sheet", Axis::legibility},
+    {"dimensioned twice", Axis::restraint},
+}};
+
+/// What is found of the dimensions of a drawing.
 struct Finding {
   FindingKind kind;
   std::string view;  ///< name of the view; empty if it concerns none in particular
   std::string what;
+  int face = 0;            ///< its number in scenes; 0: none in particular
+  std::string accepted{};  ///< why it is no fault; empty: nothing says so
+
+  [[nodiscard]] const FindingRow& row() const { return finding_rows[static_cast<std::size_t>(kind)]; }
+  [[nodiscard]] bool is_fault() const { return row().is_fault && accepted.empty(); }
 };
 
 /// How many faces or holes of the models have a size and a place on the sheets.
 struct SizeCount {
   std::string kind;  ///< "plane faces"
   int given, all;
+  int unsure = 0;  ///< of the others: those of which nobody can tell
+
+  [[nodiscard]] int missing() const { return all - given - unsure; }
 };
 
 /// What a model file requires, and where the sheets say so.
@@ -112,7 +154,7 @@ struct Report {
   std::vector<ViewCondition> conditions;                ///< one for each view, if requested
   std::optional<Tessellation> tessellation{};           ///< if round faces of a part are recognised
   std::vector<ViewError> errors{};                      ///< one for each view, if requested
-  std::vector<Finding> findings{};                      ///< of the dimensions, if requested
+  std::vector<Finding> findings{};                      ///< if requested
   std::vector<SizeCount> sizes{};                       ///< with findings
   std::vector<std::string> views_to_add{};              ///< projections that show what has no dimension, with findings
   std::vector<RequirementRow> requirements{};           ///< of model files, in their order

@@ -126,6 +126,10 @@ struct DimensionObject {
   Vec2 text_middle{0, 0};
   double text_height = 0, arrow = 0, gap = 0, overshoot = 0, above = 0;  ///< sizes of its parts, mm
   InkRange strokes{}, fills{}, texts{};
+  int number = -1;           ///< of the dimension among those of its view
+  std::string id{};          ///< by what it measures, so that it stays as long as that does; empty: unknown
+  std::string tolerance{};   ///< "+0.2 -0.1", "H7"
+  std::vector<int> faces{};  ///< that it measures, by their numbers in scenes
 };
 
 /// A leader as one thing, likewise, perhaps with the text on its last piece.

@@ -441,7 +441,7 @@ TEST_F(AutomaticDimensions, LintSaysWhatIsMissing) {
     EXPECT_TRUE(contains(run.out, sentence)) << sentence << "\n" << run.out;
   const Outcome json =
       epura({"lint", part, "--views", "front,top,left", "--dimensions", "overall", "--json", "-"}, folder / "");
-  EXPECT_TRUE(contains(json.out, "{\"kind\": \"not dimensioned\", \"what\": \"2× hole ⌀8 ↧18\"}")) << json.out;
+  EXPECT_TRUE(contains(json.out, "\"fault\": true, \"what\": \"2× hole ⌀8 ↧18\"}")) << json.out;
 }
 
 // Turned in the plane of the front view, it has its diameters there; turned out of it, a view along its axis shows
@@ -450,7 +450,7 @@ TEST_F(AutomaticDimensions, OfShaftsThatLieAskew) {
   const std::string part =
       folder.file("part.obj", shaft({{0, 1e-9}, {0, 10}, {40, 10}, {40, 15}, {100, 15}, {100, 1e-9}}));
   const Outcome in_plane = lint(part, "auto", {"--transform", "rotate:y,30"});
-  const std::string no_lengths = "sizes: 0 of 3 plane faces, 2 of 2 cylindrical faces; 3 have none\n";
+  const std::string no_lengths = "completeness: 0 of 3 plane faces, 2 of 2 cylindrical faces, ";
   EXPECT_TRUE(contains(in_plane.out, no_lengths) && !contains(in_plane.out, "⌀")) << in_plane.out << in_plane.err;
   const std::vector<std::string> texts = dimensions_in(read_file(folder / "x.svg"));
   for (const char* diameter : {"⌀20", "⌀30"})
@@ -501,7 +501,7 @@ TEST_F(AutomaticDimensions, OfBallsThatAreEqualOnPaperAreOne) {
   const std::string balls =
       ball(0, 15, 1) + ball(60, 15.004, 1 + corners) + ball(150, 40, 1 + 2 * corners);  // the last gives overall sizes
   const Outcome run = lint(folder.file("part.obj", balls), "auto");
-  EXPECT_FALSE(contains(run.out, "sphere")) << run.out << run.err;
+  EXPECT_FALSE(contains(run.out, "sphere SR")) << run.out << run.err;
   const std::vector<std::string> texts = dimensions_in(read_file(folder / "x.svg"));
   EXPECT_EQ(std::count(texts.begin(), texts.end(), "2× SR15"), 1);
   for (const std::string& text : texts) EXPECT_NE(text, "SR15");
@@ -519,15 +519,18 @@ TEST_F(AutomaticDimensions, LintCountsFindingsThatAreAlike) {
   };
   const auto [all, named] = lines({"--all"});
   const auto [few, counted] = lines({});
-  EXPECT_EQ(std::pair(all, few), std::pair(25L, 9L)) << named << counted;
-  EXPECT_TRUE(counted.ends_with("sizes: 6 of 30 plane faces; 24 have none\n")) << counted;
+  EXPECT_EQ(std::pair(all, few), std::pair(53L, 21L)) << named << counted;
+  EXPECT_TRUE(
+      contains(counted, "\ncompleteness: 6 of 30 plane faces, 6 of 30 faces held by dimensions; 48 have none, "))
+      << counted;
   for (const char* axis : {"x", "z"})
     EXPECT_TRUE(contains(counted, "9 more that differ in numbers from: step: position along " + std::string(axis)))
         << counted;
   EXPECT_FALSE(contains(named, "more that differ"));
   EXPECT_TRUE(named.starts_with(counted.substr(0, counted.find('\n')))) << named;
   const std::string json = lines({"--json", "-"}).second;
-  EXPECT_TRUE(contains(json, "\"sizes\": [{\"kind\": \"plane faces\", \"given\": 6, \"all\": 30}]")) << json;
+  EXPECT_TRUE(contains(json, "\"sizes\": [{\"kind\": \"plane faces\", \"given\": 6, \"unsure\": 0, \"all\": 30}, "))
+      << json;
 }
 
 TEST_F(AutomaticDimensions, LintFindsWhatIsThereTwice) {

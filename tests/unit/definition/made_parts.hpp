@@ -83,7 +83,8 @@ class MadeSheet {
   [[nodiscard]] std::vector<std::string> sentences() const {
     std::vector<std::string> all;
     for (const Motion& motion : account().motions)
-      all.push_back(sentence_of(motion, part, unknowns, [](double value) { return format_number(value); }));
+      all.push_back(sentence_of(definition::words_of(motion, part, unknowns), part,
+                                [](double value) { return format_number(value); }));
     return all;
   }
 

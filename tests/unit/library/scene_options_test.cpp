@@ -132,6 +132,7 @@ Scene all_kinds() {
           .datums = {{.letter = "A"}},
           .surface_textures = {{.text = {"Ra 3.2"}}},
           .requirements = {{.type = "diameter", .feature = "hole 1"}},
+          .accepted = {{.feature = "face 1", .reason = "as cast"}},
           .tables = {{.rows = {{"text"}}}},
           .revisions = {{.revision = "A", .text = "text"}},
           .parts_list = PartsList{},

@@ -374,8 +374,7 @@ std::vector<LinePart> straight_parts(PlacedDimensions& placed) {
   return parts;
 }
 
-// Shortens and removes strokes along which others are drawn, so that no pen follows a line twice: extension lines of
-// dimensions that stand above one another begin at one place.
+// Of strokes along one another, as extension lines from one place, one is drawn: no pen follows a line twice.
 void draw_once(PlacedDimensions& placed) {
   constexpr double slack = 1e-6;  // mm
   std::vector<LinePart> parts = straight_parts(placed);
@@ -571,6 +570,7 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
     result.zones.insert(result.zones.end(), dimension->zones.begin(), dimension->zones.end());
     if (const std::string& name = shown.measured[i].name; !name.empty()) result.ends[name] = std::move(dimension->ends);
     if (!dimension->text_boxes.empty()) result.places.emplace_back(shown.numbers[i], dimension->text_boxes.front());
+    for (DimensionObject& object : dimension->objects) object.number = static_cast<int>(shown.numbers[i]);
     add_to(result.layer, std::move(*dimension), texts[i], style);
     done.insert(shown.numbers[i]);
   }

@@ -12,10 +12,14 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "definition/limits.hpp"
+#include "definition/part_of_model.hpp"
+#include "features/assembly_features.hpp"
+#include "features/engraving.hpp"
 #include "features/tolerances.hpp"
 #include "sheet/dimensions/feature_table.hpp"
 #include "sheet/dimensions/place_joins.hpp"
 #include "surfaces/least_squares.hpp"
+#include "world/placed_part.hpp"
 
 namespace epura::sheet {
 
@@ -254,6 +258,21 @@ DrawnPart with_drawn_lines(Part part, std::span<const DimensionsInView> views,
     }
   check(drawn.part.faces.size() >= faces + drawn.marks.circles.size() + drawn.marks.symmetries.size(),
         "each circle and plane of symmetry has a face of its own");
+  return drawn;
+}
+
+std::optional<DrawnPart> part_on_sheets(std::span<const DimensionsInView> views, const world::World& world,
+                                        std::span<const features::Extent, 3> extents) {
+  if (features::is_assembly(world) || world.models.size() != 1) return std::nullopt;
+  auto faces = definition::part_of_model(world, 0);
+  if (!faces) return std::nullopt;
+  const std::vector<char> letters = features::walls_of_letters(world.models[0], *world::place_part(world.models[0]));
+  for (std::size_t i = 0; i < faces->faces.size(); ++i)
+    if (letters[i] != 0) faces->faces[i].surface.kind = SurfaceKind::free_form;
+  const std::size_t count = faces->faces.size();
+  if (count > most_faces) return DrawnPart{std::move(*faces), count, {}};
+  DrawnPart drawn = with_drawn_lines(std::move(*faces), views, extents);
+  drawn.part = definition::with_common_directions(std::move(drawn.part), definition::find_directions(drawn.part.faces));
   return drawn;
 }
 

@@ -4,6 +4,8 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <optional>
 #include <span>
 
 #include "definition/rules.hpp"
@@ -23,6 +25,15 @@ struct DrawnPart {
 /// other, are a hexagon.
 DrawnPart with_drawn_lines(definition::Part part, std::span<const DimensionsInView> views,
                            std::span<const features::Extent, 3> extents);
+
+/// Ranks take time as the cube of the faces that hang together.
+inline constexpr std::size_t most_faces = 2000;
+
+/// The only model of a world with what is drawn beside its faces, none of which are drawn if it has more than
+/// `most_faces`; what is drawn parallel is parallel. Walls of letters, which are given by their text, are of free form.
+/// Nothing for an assembly, and without recognised faces.
+std::optional<DrawnPart> part_on_sheets(std::span<const DimensionsInView> views, const world::World& world,
+                                        std::span<const features::Extent, 3> extents);
 
 /// How far apart what is the same on a drawing may be.
 double slack_of(const definition::Part& part);

@@ -87,13 +87,18 @@ class Reader {
         slack_(slack_of(drawn.part)) {}
 
   FaceStatements read(std::span<const DimensionsInView> views) {
-    for (const DimensionsInView& view : views)
-      for (const AnchoredDimension& dimension : view.dimensions)
-        if (!is_auxiliary(dimension)) read(dimension, view);
+    for (std::size_t view = 0; view < views.size(); ++view)
+      for (std::size_t i = 0; i < views[view].dimensions.size(); ++i)
+        read_one(views[view].dimensions[i], views[view], {view, i});
     return std::move(found_);
   }
 
  private:
+  void read_one(const AnchoredDimension& dimension, const DimensionsInView& view,
+                const std::array<std::size_t, 2>& place) {
+    if (!is_auxiliary(dimension)) read(dimension, view);
+    found_.of.resize(found_.statements.size(), place);
+  }
   [[nodiscard]] const PartSurface& surface(int face) const {
     return part_.faces[static_cast<std::size_t>(face)].surface;
   }
@@ -223,6 +228,7 @@ class Reader {
       ++sloped;
     }
     say(dimension.where, std::move(rows), is_chamfer && sloped <= repeats_of(dimension.text));
+    if (!is_chamfer) say_of_equal_widths(dimension, value);
     for (int face = 0; face < static_cast<int>(count_); ++face)
       for (int other = 0; other < face; ++other)
         if (surface(face).kind == SurfaceKind::cylinder && surface(other).kind == SurfaceKind::cylinder &&
@@ -237,6 +243,42 @@ class Reader {
                                   glm::normalize(across), -1)},
               false);
         }
+  }
+
+  // Equal widths of turned rectangles. Where each of these is, their centre lines may say.
+  void say_of_equal_widths(const AnchoredDimension& dimension, double width) {
+    std::vector<Row> rows, places;
+    for (int face = 0; face < static_cast<int>(count_); ++face)
+      for (int other = 0; other < face; ++other) {
+        const Vec3& normal = surface(face).axis;
+        const bool is_turned =
+            std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)}) < 1 - features::parallel;
+        if (!is_turned || surface(face).kind != SurfaceKind::plane || surface(other).kind != SurfaceKind::plane ||
+            directions_.of_face[static_cast<std::size_t>(face)] != directions_.of_face[static_cast<std::size_t>(other)])
+          continue;
+        const Vec3 &from = unknowns_.anchor(other), &to = unknowns_.anchor(face);
+        const double off = glm::dot(to - from, normal);
+        if (!agree(std::abs(off), width)) continue;
+        rows.push_back(definition::length(unknowns_, part_, {End{from, {other}}, End{to, {face}}}, normal, -1));
+        for (const int side : {face, other})
+          places.push_back(unknowns_.surface_motion(side, unknowns_.anchor(side), surface(side).axis));
+      }
+    check(places.size() == 2 * rows.size(), "each width has two sides");
+    const auto pairs = static_cast<int>(rows.size());
+    if (pairs < 2) return;
+    say(dimension.where, std::move(rows), pairs <= repeats_of(dimension.text));
+    say(dimension.where, std::move(places), false);
+  }
+
+  // What a table says of a hole beside its place: sizes and depths around its axis. Its text is not read.
+  void say_by_table(const AnchoredDimension& dimension, const WorldCircle& circle) {
+    std::vector<Row> rows;
+    for (int face = 0; face < static_cast<int>(count_); ++face)
+      for (const UnknownKind size : {UnknownKind::radius, UnknownKind::angle})
+        if (measured_.is_around(face, circle)) rows.push_back(unknowns_.growth(face, size));
+    const std::vector<Vec3> rims = rims_around(circle);
+    for (const Vec3& rim : rims) rows.push_back(measured_.length(rims.front(), rim, circle.axis));
+    say(dimension.where, std::move(rows), false);
   }
 
   // All angles of a face.
@@ -352,6 +394,8 @@ class Reader {
           if (std::abs(circle.axis[axis]) <= features::parallel) say_place(dimension.where, circle.centre, axis);
     }
     say(dimension.where, std::move(own));
+    if (dimension.is_label)
+      for (const WorldCircle& circle : dimension.circles) say_by_table(dimension, circle);
     const bool is_radius = dimension.type == DimensionType::radius;
     if (is_radius || repeats > 1)
       say(dimension.where, std::move(equal), is_radius || static_cast<int>(lines.size()) <= repeats);

@@ -2,6 +2,8 @@
 // What dimensions say of the faces of a part.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -13,8 +15,9 @@ namespace epura::sheet {
 
 struct FaceStatements {
   std::vector<definition::Statement> statements;
-  std::vector<std::string> unread;  ///< dimensions of which nobody can tell what they measure
-  std::vector<std::string> untrue;  ///< texts that state another value than the part has
+  std::vector<std::array<std::size_t, 2>> of;  ///< of each: its view, and its dimension there
+  std::vector<std::string> unread;             ///< dimensions of which nobody can tell what they measure
+  std::vector<std::string> untrue;             ///< texts that state another value than the part has
 };
 
 /// Of auxiliary dimensions, which are in brackets, nothing. What a text says beside the measured value is a statement

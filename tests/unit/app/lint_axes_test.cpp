@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+// The axes of `epura lint`, its JSON, its picture, and what a scene accepts.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "../output/json_reader.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
+#include "errors.hpp"
+#include "folder.hpp"
+#include "program.hpp"
+#include "schema.hpp"
+
+namespace epura::test::lint_axes_test {
+namespace {
+
+class LintAxes : public testing::Test {
+ protected:
+  // A block of 60 x 40 x 10 whose upper edge is cut off from (50, 10) to (60, 4).
+  LintAxes() {
+    folder_.file("block.obj",
+                 "v 0 0 0\nv 60 0 0\nv 60 0 4\nv 50 0 10\nv 0 0 10\nv 0 40 0\nv 60 40 0\nv 60 40 4\nv 50 40 10\n"
+                 "v 0 40 10\nf 1 2 3 4 5\nf 10 9 8 7 6\nf 1 6 7 2\nf 2 7 8 3\nf 3 8 9 4\nf 4 9 10 5\nf 5 10 6 1\n");
+  }
+  Outcome lint(const std::string& more) {
+    folder_.file("a.toml",
+                 "[[model]]\nfile = 'block.obj'\n[[view]]\nprojection = 'front'\n[[view]]\nprojection = 'top'\n"
+                 "[[sheet]]\nsize = 'A4'\nscale = '1:1'\n[[dimension]]\ntype = 'overall'\n" +
+                     more);
+    return epura({"lint", "a.toml", "--json", "a.json", "--picture", "a.svg", "--svg-text", "text"}, folder_ / "");
+  }
+  [[nodiscard]] Json found() const { return JsonReader(read_file(folder_ / "a.json")).read(); }
+  /// Findings of a kind about faces, as "7: can turn about y".
+  [[nodiscard]] std::vector<std::string> of_faces(const char* kind) const {
+    std::vector<std::string> list;
+    const Json all = found();
+    for (const Json& one : all["findings"].items)
+      if (one["kind"].text == kind && one.keys().find("face") != std::string::npos)
+        list.push_back(one["face"].text + one["what"].text.substr(one["what"].text.find("): ") + 1));
+    return list;
+  }
+  /// Length of all lines of the hatching, mm: they rise at 45 degrees, so their widths tell it.
+  [[nodiscard]] double red_ink() const {
+    const std::string svg = read_file(folder_ / "a.svg");
+    double sum = 0;
+    for (std::size_t at = svg.find("-free\" inkscape"); at != std::string::npos;
+         at = svg.find("-free\" inkscape", at + 1)) {
+      const std::string group = svg.substr(at, svg.find("</g>", at) - at);
+      for (std::size_t p = group.find('l', group.find(" d=\"M")); p != std::string::npos; p = group.find('l', p + 1))
+        sum += std::sqrt(2) * std::abs(std::strtod(group.c_str() + p + 1, nullptr));
+    }
+    return sum;
+  }
+
+  Folder folder_;
+};
+
+/// The places of the ends of the slope; the text of the first one, if it is not the measured value.
+std::string ends_of_slope(const std::string& text = "<>") {
+  return "[[dimension]]\ntype = 'linear'\nview = 'front'\ndirection = 'horizontal'\nfrom = {point = [0, 0, 10]}\n"
+         "to = {point = [50, 0, 10]}\ntext = '" +
+         text +
+         "'\n[[dimension]]\ntype = 'linear'\nview = 'front'\ndirection = 'vertical'\nfrom = {point = [60, 0, 0]}\n"
+         "to = {point = [60, 0, 4]}\n";
+}
+
+std::string accepting(const std::string& feature) {
+  return "[[accepted]]\nfeature = '" + feature + "'\nreason = 'as cast'\n";
+}
+
+void expect_refused(const Outcome& run, const std::string& words) {
+  EXPECT_EQ(run.code, 2) << run.err;
+  EXPECT_TRUE(contains(run.err, words)) << run.err;
+}
+
+TEST_F(LintAxes, AreToldEachApartAndAreAsTheSchemaSays) {
+  const Outcome run = lint("");
+  EXPECT_EQ(run.code, 1) << run.err;
+  std::size_t last = 0;
+  for (const char* axis : {"requirements", "completeness", "fidelity", "legibility", "restraint"}) {
+    const std::size_t at = run.out.find("\n" + std::string(axis) + ": ");
+    ASSERT_NE(at, std::string::npos) << axis << " in " << run.out;
+    EXPECT_LT(last, at);
+    last = at;
+  }
+  EXPECT_TRUE(contains(run.out, "fidelity: no fault\n")) << run.out;
+  const Schema schema(read_file(root() / "src/run/app/lint.schema.json"));
+  EXPECT_EQ(schema.fault_of(found()), "");
+  Json without = found();
+  without.names[0] = "lint";
+  EXPECT_EQ(schema.fault_of(without), "value lacks epura_lint");
+  EXPECT_GT(found()["axes"]["completeness"]["faults"].number(), 0);
+  EXPECT_EQ(found()["axes"]["fidelity"]["faults"].number(), 0);
+}
+
+TEST_F(LintAxes, TellInWhichViewAFreeFaceCanBeHeld) {
+  lint("");
+  const std::vector<std::string> free = of_faces("not dimensioned");
+  ASSERT_EQ(free.size(), 2U) << "the slope is free to move and to turn";
+  for (const std::string& one : free) EXPECT_TRUE(one.ends_with(" in view 'front'")) << one;
+}
+
+TEST_F(LintAxes, OfFidelityHasTextsThatAreUntrue) {
+  const Outcome run = lint(ends_of_slope("51"));
+  EXPECT_EQ(run.code, 1);
+  EXPECT_EQ(found()["axes"]["fidelity"]["faults"].number(), 1) << run.out << run.err;
+  EXPECT_EQ(found()["axes"]["completeness"]["faults"].number(), 0) << run.out;
+  EXPECT_TRUE(contains(run.out, "fidelity: 1 fault\n")) << run.out;
+}
+
+TEST_F(LintAxes, OfACompleteDrawingHaveNoFault) {
+  const Outcome run = lint(ends_of_slope());
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_EQ(red_ink(), 0);
+}
+
+// The view from above shows the slope, of 10 x 40; that from the front sees it edge-on.
+TEST_F(LintAxes, HaveAPictureOfFreeFaces) {
+  lint("");
+  EXPECT_NEAR(red_ink() * 1.2, 400, 8);
+  const std::string number = of_faces("not dimensioned").at(0).substr(0, 1);
+  EXPECT_TRUE(contains(read_file(folder_ / "a.svg"), ">" + number + "<"));
+}
+
+TEST_F(LintAxes, LeaveOutWhatASceneAccepts) {
+  lint("");
+  const std::string number = of_faces("not dimensioned").at(0).substr(0, 1);
+  const Outcome run = lint(accepting("face " + number));
+  EXPECT_EQ(found()["axes"]["completeness"]["accepted"].number(), 2) << run.out;
+  EXPECT_TRUE(contains(run.out, "(accepted: as cast)")) << run.out;
+  EXPECT_EQ(red_ink(), 0);
+  const Outcome unused = lint(ends_of_slope() + accepting("face 1"));
+  EXPECT_EQ(unused.code, 0) << unused.out;
+  EXPECT_TRUE(contains(unused.err, "nothing is found of the accepted face 1")) << unused.err;
+  expect_refused(lint(accepting("face 99")), "has no face 99");
+  expect_refused(lint("[[accepted]]\nfeature = 'face 1'\n"), "reason");
+}
+
+}  // namespace
+}  // namespace epura::test::lint_axes_test
