@@ -64,7 +64,7 @@ TEST_F(AnnotationsJson, IsAsTheSchemaSays) {
   const Json annotations = drawn(block, extras);
   EXPECT_EQ(Schema(read_file(root() / "src/sheet/output/annotations.schema.json")).fault_of(annotations), "");
   EXPECT_EQ(annotations["dimensions"].items.size(), 5U);
-  const Json& note = annotations["notes"].items.at(0);
+  const Json& note = annotations["notes"].items.at(1);
   EXPECT_EQ(note["lines"].items.at(0).text, "deburred");
   EXPECT_EQ(note["leader"].items.size(), 3U);
   EXPECT_EQ(annotations["frames"].items.at(0)["rows"].items.at(0)["characteristic"].text, "flatness");
@@ -77,7 +77,7 @@ TEST_F(AnnotationsJson, IsAsTheSchemaSays) {
 // Numbers of faces are by kind and place: left, front, bottom ... as `epura info` has them.
 TEST_F(AnnotationsJson, TellsWhatDimensionsMeasure) {
   const Json annotations = drawn(block, extras);
-  const Json& depth = with_text(annotations, "40");
+  const Json& depth = with_text(annotations, "40 +0.2/-0.1");
   EXPECT_EQ(depth["id"].text, "depth");
   EXPECT_EQ(depth["tolerance"].text, "+0.2 -0.1");
   EXPECT_EQ(depth["value"].text, "40");
