@@ -98,8 +98,14 @@ def check_score():
 
 
 def check_limit():
-    """The limit is on work, not on waiting as on a busy machine."""
+    """The limit is on work, not on waiting as on a busy machine, but a program that waits for ever is ended, too."""
     programs.measure(["sleep", "1.5"], 1)
+    usual, programs.WAITING = programs.WAITING, 0.5
+    try:
+        programs.measure(["sleep", "60"], 1)
+        sys.exit("check: a program that waits for ever is not ended")
+    except programs.Refusal:
+        programs.WAITING = usual
     try:
         programs.measure(["python3", "-c", "while True: pass"], 1)
     except programs.Refusal as refusal:

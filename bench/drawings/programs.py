@@ -15,7 +15,7 @@ import subprocess
 import typing
 
 HERE = pathlib.Path(__file__).resolve().parent
-WAITING = 20  # times the limit of processor time, until a program that only waits is ended
+WAITING = 60  # s without any processor time, after which a program is taken to wait for ever
 
 
 @dataclasses.dataclass
@@ -56,17 +56,35 @@ class Refusal(Exception):
     """A program did not draw: why."""
 
 
+def worked(session):
+    """The processor time of all processes of a session, in ticks."""
+    ticks = 0
+    for status in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            fields = status.read_text(errors="replace").rpartition(")")[2].split()  # state, parent, group, session ...
+        except OSError:  # it has ended
+            continue
+        if int(fields[3]) == session:
+            ticks += sum(map(int, fields[11:15]))
+    return ticks
+
+
 def timed(command, limit):
     """Runs a command to its end, or a refusal. It ends at the limit, whichever of its threads took the time, and so does each process that it starts."""
     limits = lambda: resource.setrlimit(resource.RLIMIT_CPU, (limit, limit + 1))
+    before = -1
     with open(os.devnull) as nothing, subprocess.Popen(
             command, stdin=nothing, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True, preexec_fn=limits) as process:
-        try:
-            _, says = process.communicate(timeout=WAITING * limit)
-        except subprocess.TimeoutExpired:
-            os.killpg(process.pid, signal.SIGKILL)
-            process.communicate()
-            raise Refusal(f"no drawing after {WAITING * limit} s, busy or not") from None
+        while True:
+            try:
+                _, says = process.communicate(timeout=WAITING)
+                break
+            except subprocess.TimeoutExpired:
+                before, last = worked(process.pid), before
+                if before == last:
+                    os.killpg(process.pid, signal.SIGKILL)
+                    process.communicate()
+                    raise Refusal(f"waits for something: no processor time in {WAITING} s") from None
     if process.returncode in (-signal.SIGXCPU, -signal.SIGKILL):
         raise Refusal(f"no drawing in {limit} s of processor time")
     if process.returncode:
