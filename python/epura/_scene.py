@@ -11,7 +11,7 @@ from ._values import Node, fields_of, node
 from .projection import Projection, is_projection
 
 #: The lists of a scene whose key in scene files is not their name without s.
-_SINGULAR = {"explosions": "explode", "revolved": "revolved"}
+_SINGULAR = {"explosions": "explode", "revolved": "revolved", "accepted": "accepted"}
 
 
 @dataclass
