@@ -47,6 +47,25 @@ TEST_F(AutomaticDimensions, OfBlocksAreEachThereOnce) { expect_known(blocks()); 
 TEST_F(AutomaticDimensions, OfHexagonsAreEachThereOnce) { expect_known(hexagons()); }
 TEST_F(AutomaticDimensions, OfInterruptedCirclesAreEachThereOnce) { expect_known(interrupted_circles()); }
 
+// From one end of the part along each axis, each place once; of holes on a pitch circle, which axonometric views do not
+// draw, none.
+TEST_F(AutomaticDimensions, OfAxonometricViewsHavePlacesOfHoles) {
+  const auto texts = [&](const std::string& obj, const char* view) {
+    const Outcome run = epura({"draw", folder.file("part.obj", obj), "--projection", view, "--dimensions", "auto",
+                               "--sheet", "A3", "-o", "x.svg"},
+                              folder / "");
+    EXPECT_EQ(run.code, 0) << run.err;
+    return sorted(dimensions_in(read_file(folder / "x.svg")));
+  };
+  for (const char* view : {"isometric", "dimetric", "trimetric"}) {
+    for (const int number : {0, 1, 4, 6}) {
+      const KnownPart part = plates()[static_cast<std::size_t>(number)];
+      EXPECT_EQ(texts(part.obj, view), sorted(part.texts)) << part.name << ", " << view;
+    }
+    EXPECT_EQ(texts(round_parts()[0].obj, view), sorted({"⌀100", "12", "⌀30", "4× ⌀10"})) << view;
+  }
+}
+
 // In whatever arrangement, lint finds that nothing is missing, repeated or crossing.
 TEST_F(AutomaticDimensions, AreCompleteInEveryArrangement) {
   for (const auto& parts : {plates(), round_parts(), blocks(), hexagons(), interrupted_circles()})

@@ -48,6 +48,11 @@ double sign_of_offset(const Vec2& across) {
   return (std::abs(across.y) > on_axis ? across.y > 0 : across.x > 0) ? 1 : -1;
 }
 
+double first_side(const Vec2& along) {
+  const double upwards = sign_of_offset(left_of(along));
+  return std::abs(along.y) > std::abs(along.x) ? upwards : -upwards;
+}
+
 namespace {
 
 /// One side of a view, for dimension lines further and further out.
@@ -64,12 +69,10 @@ struct Side {
 
 // Below or on the right first.
 std::array<Side, 2> sides_of(const MeasuredLength& length, const drawing::ViewDrawing& drawing) {
-  const double upwards = sign_of_offset(left_of(length.along));
-  const bool vertical = std::abs(length.along.y) > std::abs(length.along.x);
-  const double first_side = vertical ? upwards : -upwards;
+  const double first = first_side(length.along);
   const auto side_of = [&](double sign) {
     MeasuredLength ends = length;
-    if (sign != first_side && length.opposite) {
+    if (sign != first && length.opposite) {
       ends.from = (*length.opposite)[0];
       ends.to = (*length.opposite)[1];
     }
@@ -78,7 +81,7 @@ std::array<Side, 2> sides_of(const MeasuredLength& length, const drawing::ViewDr
     const double end = glm::dot(ends.to - ends.from, left_of(ends.along));
     return Side{ends, sign, outline, cost_of_extension * (2 * outline - sign * end)};
   };
-  return {side_of(first_side), side_of(-first_side)};
+  return {side_of(first), side_of(-first)};
 }
 
 }  // namespace

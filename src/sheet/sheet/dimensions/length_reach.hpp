@@ -25,4 +25,7 @@ Reach reach_of_ink(const MeasuredLength& length, const drawing::ViewDrawing& dra
 /// 1 if `across` points upwards, or to the right; otherwise -1.
 double sign_of_offset(const Vec2& across);
 
+/// The side on which a dimension line in a direction is by preference, below or on the right: 1 to its left, or -1.
+double first_side(const Vec2& along);
+
 }  // namespace epura::sheet

@@ -99,6 +99,8 @@ MeasuredDimension length_between(const AnchoredDimension& dimension, const Sight
   const Vec2 from = sight.page(dimension.points[0]), to = sight.page(dimension.points[1]);
   MeasuredLength length{from, to, along, left_of(along)};
   length.value = value;
+  if (dimension.opposite.size() == 2)
+    length.opposite = {sight.page(dimension.opposite[0]), sight.page(dimension.opposite[1])};
   if (!halve(length, sight, {sight.whole_page(dimension.points[0]), sight.whole_page(dimension.points[1])}))
     for (const Vec3& end : dimension.points) expect_shown(dimension, sight, end);
   return {length, with_text(dimension, {value}, sight.notation), dimension.offset};
@@ -114,11 +116,7 @@ MeasuredDimension linear(const AnchoredDimension& dimension, const Sight& sight)
   if (std::abs(value) <= 1e-9 * glm::length(d))
     refuse_measure(dimension, std::string("its anchors lie ") + (horizontal ? "one above the other" : "side by side"),
                    std::string("measure the ") + (horizontal ? "vertical" : "horizontal") + " distance");
-  MeasuredDimension measured = length_between(dimension, sight, horizontal ? Vec2(1, 0) : Vec2(0, 1), std::abs(value));
-  if (dimension.opposite.size() == 2)
-    std::get<MeasuredLength>(measured.form).opposite = {sight.page(dimension.opposite[0]),
-                                                        sight.page(dimension.opposite[1])};
-  return measured;
+  return length_between(dimension, sight, horizontal ? Vec2(1, 0) : Vec2(0, 1), std::abs(value));
 }
 
 // Several lengths from one place, or one after another.

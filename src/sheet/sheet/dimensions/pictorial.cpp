@@ -10,7 +10,10 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "features/tolerances.hpp"
+#include "sheet/dimensions/coordinates.hpp"
 #include "sheet/dimensions/equal_features.hpp"
+#include "sheet/dimensions/length_reach.hpp"
 #include "sheet/dimensions/thread_notes.hpp"
 
 namespace epura::sheet {
@@ -55,35 +58,33 @@ struct Ends {
   double outside = -HUGE_VAL;  ///< how far from the middle of the view, on its side
 };
 
-// The ends from which extension lines along `extension` begin: at the outermost place at which both ends of the models
-// have points, since in between, lengths along the axis are shifted.
-std::optional<Ends> ends_along(int axis, int extension, const Images& images, const std::vector<Vec3>& points) {
+// The ends from which extension lines along `extension` begin on one side of the view: at the outermost place at which
+// both ends of the models have points, since in between, lengths along the axis are shifted.
+std::optional<Ends> ends_on(double side, int axis, int extension, const Images& images,
+                            const std::vector<Vec3>& points) {
   check(axis != extension, "extension lines leave along another axis");
   const int third = 3 - axis - extension;
   Box box;
   for (const Vec3& p : points) box.add(p);
   const double slack = 1e-6 * glm::length(box.size()), place = 10 * slack;
   const Vec2 across = left_of(glm::normalize(images.of(Mat3(1)[axis])));
-  const auto outside = [&](const Vec3& p, double side) { return side * glm::dot(images.of(p - box.centre()), across); };
-  std::optional<Ends> best;
-  const double below = across.y > 0 ? -1 : 1;
-  for (const double side : {below, -below}) {
-    std::array<std::map<long long, Vec3>, 2> outermost;  // of the points at either end, by their place along `third`
-    for (const Vec3& p : points)
-      for (const std::size_t end : {0U, 1U}) {
-        if (std::abs(p[axis] - (end == 0 ? box.min : box.max)[axis]) > slack) continue;
-        const auto [known, is_new] = outermost[end].try_emplace(std::llround(p[third] / place), p);
-        if (!is_new && outside(p, side) > outside(known->second, side)) known->second = p;
-      }
-    for (const auto& [key, p] : outermost[0]) {
-      const auto q = outermost[1].find(key);
-      if (q == outermost[1].end()) continue;
-      const double out = std::min(outside(p, side), outside(q->second, side));
-      if (best && out <= best->outside + slack) continue;
-      best = Ends{p, q->second, out};
-      // Side by side along the axis: where the nearer one is, the other extension line begins on the part.
-      (outside(p, side) > out ? best->from : best->to)[extension] = (outside(p, side) > out ? q->second : p)[extension];
+  const auto outside = [&](const Vec3& p) { return side * glm::dot(images.of(p - box.centre()), across); };
+  std::array<std::map<long long, Vec3>, 2> outermost;  // of the points at either end, by their place along `third`
+  for (const Vec3& p : points)
+    for (const std::size_t end : {0U, 1U}) {
+      if (std::abs(p[axis] - (end == 0 ? box.min : box.max)[axis]) > slack) continue;
+      const auto [known, is_new] = outermost[end].try_emplace(std::llround(p[third] / place), p);
+      if (!is_new && outside(p) > outside(known->second)) known->second = p;
     }
+  std::optional<Ends> best;
+  for (const auto& [key, p] : outermost[0]) {
+    const auto q = outermost[1].find(key);
+    if (q == outermost[1].end()) continue;
+    const double out = std::min(outside(p), outside(q->second));
+    if (best && out <= best->outside + slack) continue;
+    best = Ends{p, q->second, out};
+    // Side by side along the axis: where the nearer one is, the other extension line begins on the part.
+    (outside(p) > out ? best->from : best->to)[extension] = (outside(p) > out ? q->second : p)[extension];
   }
   return best;
 }
@@ -99,6 +100,7 @@ class PictorialPlanner {
     add_cylinders(true);
     if (*wanted_.type == DimensionType::automatic) {
       add_holes();
+      add_positions();
       add_cylinders(false);
       add_arcs();
     }
@@ -125,16 +127,23 @@ class PictorialPlanner {
           std::any_of(done.begin(), done.end(), [&](int other) { return subject_.extents[other].is_same_as(extent); });
       if (is_done || !images.is_seen(axis) || !(extent.size() > 0) || is_of_cylinder(extent)) continue;
       const auto extension = images.extension_of(axis);
-      const auto ends = extension ? ends_along(axis, *extension, images, points) : std::nullopt;
-      if (!ends) continue;
+      if (!extension) continue;
+      const double first = first_side(glm::normalize(images.of(Mat3(1)[axis])));
+      const auto ends = ends_on(first, axis, *extension, images, points),
+                 opposite = ends_on(-first, axis, *extension, images, points);
+      if (!ends || !opposite) continue;
       done.push_back(axis);
       const std::string sign = extent.form == features::ExtentForm::length ? "" : "⌀<>";
       DimensionDescription& size =
           add(DimensionType::aligned, extent.form == features::ExtentForm::sphere ? "S" + sign : sign);
-      Vec3 from = ends->from, to = ends->to;
-      from[axis] = extent.from;
-      to[axis] = extent.to;
-      size.anchors = {from, to};
+      const auto at_ends = [&](Ends of_side) {
+        of_side.from[axis] = extent.from;
+        of_side.to[axis] = extent.to;
+        return std::vector{of_side.from, of_side.to};
+      };
+      const std::vector<Vec3> anchors = at_ends(*ends);
+      size.anchors.assign(anchors.begin(), anchors.end());
+      size.opposite = at_ends(*opposite);
     }
     check(done.size() <= 3, "an axis has one size");
   }
@@ -143,10 +152,40 @@ class PictorialPlanner {
   void add_holes() {
     for (const auto& group : groups_of<features::HoleFeature>(subject_.features.holes, features::are_equal)) {
       const auto* shown = *std::max_element(group.begin(), group.end(), [&](const auto* a, const auto* b) {
-        return glm::dot(a->axis, view_.projection.n) < glm::dot(b->axis, view_.projection.n) - 1e-9;
+        return open_end(*a).first < open_end(*b).first - 1e-9;
       });
       const std::string text = times(group.size()) + name_in_note(shown->thread) + recesses_of(*shown, notation_);
-      add(DimensionType::diameter, text).circle = {shown->mouth, shown->axis, shown->called() / 2, {}};
+      add(DimensionType::diameter, text).circle = {open_end(*shown).second, shown->axis, shown->called() / 2, {}};
+    }
+  }
+
+  // How far a hole opens towards the eye, and where.
+  [[nodiscard]] std::pair<double, Vec3> open_end(const features::HoleFeature& hole) const {
+    const double towards = glm::dot(hole.axis, view_.projection.n);
+    if (!hole.through || towards >= 0) return {towards, hole.mouth};
+    return {-towards, hole.mouth - hole.reach * hole.axis};
+  }
+
+  // Of holes that are on no pitch circle, which axonometric views do not draw.
+  void add_positions() {
+    for (const features::HoleFeature& hole : subject_.features.holes)
+      if (hole.pitch_circle < 0) add_position(open_end(hole).second, world_axis(hole.axis));
+  }
+
+  // Along the axes of the world, from the ends of the models or the axis of round ones; each place once.
+  void add_position(const Vec3& centre, int depth) {
+    check(depth < 3, "a hole is along an axis of the world, or along none");
+    const Images images{view_.projection};
+    for (const int axis : {0, 1, 2}) {
+      if (depth < 0 || axis == depth || !images.is_seen(axis)) continue;
+      const features::Extent& extent = subject_.extents[axis];
+      const double end = extent.form == features::ExtentForm::length ? extent.from : (extent.from + extent.to) / 2;
+      const auto is_at = [&](double at) { return std::abs(at - centre[axis]) <= features::same_size * extent.size(); };
+      if (is_at(end) || std::any_of(places_[axis].begin(), places_[axis].end(), is_at)) continue;
+      places_[axis].push_back(centre[axis]);
+      Vec3 from = centre;
+      from[axis] = end;
+      add(DimensionType::aligned, "").anchors = {from, centre};
     }
   }
 
@@ -195,6 +234,7 @@ class PictorialPlanner {
   const NamedProjection& view_;
   const DimensionSubject& subject_;
   const Notation& notation_;
+  std::array<std::vector<double>, 3> places_{};  ///< along each axis, that have their dimensions
   std::vector<DimensionDescription> dimensions_{};
 };
 

@@ -15,7 +15,8 @@ namespace epura::sheet {
 /// axis of the world, in which sizes have their true lengths.
 const NamedProjection* only_pictorial(std::span<const NamedProjection> views, const std::string& name);
 
-/// Width, depth and height; if `wanted` is automatic, diameters of holes, shafts and bosses and radii of arcs, too.
+/// Width, depth and height; if `wanted` is automatic, diameters of holes, shafts and bosses, radii of arcs, and
+/// places along the axes of holes that are on no pitch circle.
 std::vector<scene::DimensionDescription> pictorial_dimensions(const scene::DimensionDescription& wanted,
                                                               const NamedProjection& view,
                                                               const DimensionSubject& subject,
