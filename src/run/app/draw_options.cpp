@@ -227,6 +227,12 @@ scene::Options<Draw> format_options() {
                                    "and lint of the drawing, hashes; model: the files that are read, too",
                            .usual = "none"},
                           vector(&output::VectorOptions::proof), scene::choice<output::Proof>().shown_as("WHAT")),
+      scene::option<Draw>(
+          {.flag = "--pdf",
+           .help = "archive: PDF/A-3b and PDF/UA-1, with the order in which it is read aloud, and words "
+                   "for each view, dimension and table",
+           .usual = "plain"},
+          vector(&output::VectorOptions::pdf), scene::choice<output::PdfKind>().shown_as("HOW")),
       scene::option<Draw>({.flag = "--decimals", .help = "decimals of coordinates in SVG", .usual = "4"},
                           vector(&output::VectorOptions::decimals), scene::whole_number(1, 5)),
       scene::option<Draw>({.flag = "--id-prefix",

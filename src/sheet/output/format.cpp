@@ -30,7 +30,7 @@ std::string svg(const FileContent& file, const Progress& progress) {
 }
 
 std::string pdf(const FileContent& file, const Progress& progress) {
-  return to_pdf(pages_of(file), progress, file.options.attachments);
+  return to_pdf(pages_of(file), progress, file.options);
 }
 
 std::string ps(const FileContent& file, const Progress& progress) { return to_ps(pages_of(file), progress); }

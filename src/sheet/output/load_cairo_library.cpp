@@ -14,10 +14,10 @@ const CairoLibrary& cairo_library() {
 
 }  // namespace
 
-std::string to_pdf(const Pages& sheets, const Progress& progress, const std::vector<Attachment>& attachments) {
+std::string to_pdf(const Pages& sheets, const Progress& progress, const VectorOptions& options) {
   const PdfLibrary& library = pdf_library();  // before work that would be lost without it
-  PdfDocument document = cairo_library().make_pdf_layers(sheets, progress);
-  document.attachments = attachments;
+  PdfDocument document = cairo_library().make_pdf_layers(sheets, options.pdf, progress);
+  document.attachments = options.attachments;
   return library.join_layers(document);
 }
 

@@ -24,6 +24,9 @@ enum class DxfVersion { r2007, r2000 };
 /// those of their neighbours, and ellipses as polylines, for programs that do not know the others.
 enum class DxfArcs { bulges, entities };
 
+/// As small as it can be; or for archives (PDF/A-3b) and for people who do not see it (PDF/UA-1).
+enum class PdfKind { plain, archive };
+
 /// What SVG and PDF carry so that `epura check` can draw them again: nothing; options, results and hashes; the models
 /// and other files that are read, too.
 enum class Proof { none, data, model };
@@ -36,6 +39,10 @@ enum class Strokes { dashed, real };
 template <>
 struct epura::scene::Words<epura::output::DxfVersion> {
   static constexpr std::array list{"2007", "2000"};
+};
+template <>
+struct epura::scene::Words<epura::output::PdfKind> {
+  static constexpr std::array list{"plain", "archive"};
 };
 template <>
 struct epura::scene::Words<epura::output::Proof> {
@@ -74,6 +81,7 @@ struct VectorOptions {
   SvgText text = SvgText::outlines;
   Strokes strokes = Strokes::dashed;  ///< of all formats with lines
   Proof proof = Proof::none;
+  PdfKind pdf = PdfKind::plain;
   DxfVersion dxf_version = DxfVersion::r2007;
   DxfArcs dxf_arcs = DxfArcs::bulges;
   bool dxf_blocks = false;  ///< DXF: each view is a block

@@ -22,7 +22,7 @@ std::string to_svg(const sheet::Sheet& sheet, const VectorOptions& options, cons
 /// layers of edges are empty.
 std::string svg_of_page(const sheet::Sheet& sheet, const VectorOptions& options, bool lines,
                         const Progress& progress = {});
-std::string to_pdf(const Pages& sheets, const Progress& progress = {}, const std::vector<Attachment>& attachments = {});
+std::string to_pdf(const Pages& sheets, const Progress& progress = {}, const VectorOptions& options = {});
 std::string to_ps(const Pages& sheets, const Progress& progress = {});
 std::string to_eps(const sheet::Sheet& sheet, const Progress& progress = {});
 std::string to_png(const sheet::Sheet& sheet, double dpi, const Progress& progress = {});

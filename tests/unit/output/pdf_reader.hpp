@@ -17,6 +17,7 @@ class PdfObject {
   PdfObject operator[](const char* key) const { return {pdf_, qpdf_oh_get_key(pdf_, dictionary(), key)}; }
   PdfObject operator[](int index) const { return {pdf_, qpdf_oh_get_array_item(pdf_, object_, index)}; }
   [[nodiscard]] bool has(const char* key) const { return qpdf_oh_has_key(pdf_, dictionary(), key) != 0; }
+  [[nodiscard]] bool is_dictionary() const { return qpdf_oh_is_dictionary(pdf_, object_) != 0; }
   [[nodiscard]] int size() const { return qpdf_oh_get_array_n_items(pdf_, object_); }
   [[nodiscard]] double number() const { return qpdf_oh_get_numeric_value(pdf_, object_); }
   [[nodiscard]] std::string name() const { return qpdf_oh_get_name(pdf_, object_); }

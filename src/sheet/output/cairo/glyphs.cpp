@@ -146,12 +146,18 @@ void add_outline(cairo_t* cairo, const sheet::GlyphOutline& outline, double unit
 }  // namespace
 
 void write_texts(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer, const sheet::Lettering& lettering) {
+  write_texts_one_by_one(pen, canvas, layer, lettering, [](std::size_t) {});
+}
+
+void write_texts_one_by_one(const Pen& pen, const Canvas& canvas, const sheet::Layer& layer,
+                            const sheet::Lettering& lettering, const std::function<void(std::size_t)>& before) {
   if (layer.texts.empty()) return;
   cairo_t* cairo = pen.get();
   const CairoFont usual = font_of(lettering.file(), lettering.face());
   FontsOfRuns fonts;
   set_font(cairo, usual);
   for (const sheet::Text& text : layer.texts) {
+    before(static_cast<std::size_t>(&text - layer.texts.data()));
     along_base_line(cairo, canvas, text, lettering, [&] {
       if (!lettering.covers(text.text))
         return show_runs(cairo, lettering.runs(text.text, text.height), canvas.units, fonts);

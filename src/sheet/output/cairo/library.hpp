@@ -12,7 +12,7 @@
 namespace epura::output {
 
 /// What is joined to a PDF file.
-PdfDocument make_pdf_layers(const Pages& sheets, const Progress& progress);
+PdfDocument make_pdf_layers(const Pages& sheets, PdfKind kind, const Progress& progress);
 
 // The functions of output/write.hpp with names that begin with `to`.
 std::string make_ps(const Pages& sheets, const Progress& progress);

@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "base/utf8.hpp"
+#include "output/pdf/archive.hpp"
 
 namespace epura::output {
 
@@ -85,9 +86,18 @@ struct Groups {
   }
 };
 
+// `marks`: how many the page has so far.
+Handle content_of_layer(QPDF& pdf, const PdfPage& page, Handle drawn, std::size_t layer, int& marks) {
+  if (page.tags.marks.empty()) return pdf.copyForeignObject(drawn);
+  const std::shared_ptr<Buffer> bytes = drawn.getStreamData(qpdf_dl_specialized);
+  const std::string content(reinterpret_cast<const char*>(bytes->getBuffer()), bytes->getSize());
+  return Handle::newStream(&pdf, with_marks(content, page.tags, layer, marks));
+}
+
 // Streams of Cairo's stay compressed, between short ones that say which layer each is. The transparency groups of its
 // pages are dropped: black ink needs none, and some printers rasterise pages that have one.
 Handle add_layers(QPDF& pdf, const PdfPage& page, Groups& groups, Handle order) {
+  int marks = 0;
   Handle resources = Handle::newDictionary(), properties = Handle::newDictionary(), contents = Handle::newArray();
   QPDF drawn;
   std::vector<Handle> drawn_layers = pages_of(drawn, page.file);
@@ -100,12 +110,13 @@ Handle add_layers(QPDF& pdf, const PdfPage& page, Groups& groups, Handle order) 
     properties.replaceKey(name, group);
     const std::string begin = (i > 0 ? "EMC\nQ\n" : "") + ("q\n" + page.placement) + " cm\n/OC " + name + " BDC\n";
     contents.appendItem(Handle::newStream(&pdf, begin));
-    contents.appendItem(pdf.copyForeignObject(drawn_layers[i].getKey("/Contents")));
+    contents.appendItem(content_of_layer(pdf, page, drawn_layers[i].getKey("/Contents"), i, marks));
     add_resources(pdf, resources, drawn_layers[i].getKey("/Resources"));
     expect_all_read(drawn);
   }
   contents.appendItem(Handle::newStream(&pdf, std::string(page.layers.empty() ? "" : "EMC\nQ\n")));
   resources.replaceKey("/Properties", properties);
+  if (!page.tags.marks.empty()) make_resources_archivable(resources);
   return add_page(pdf, page.media_box, resources, contents);
 }
 
@@ -236,6 +247,10 @@ std::string join_pdf_layers(const PdfDocument& document) {
   add_bookmarks(pdf, document.pages, pages);
   add_information(pdf, document);
   add_attachments(pdf, document.attachments);
+  if (document.is_archive) {
+    add_structure(pdf, document.pages, pages);
+    make_archive(pdf, document);
+  }
   return bytes_of(pdf);
 }
 

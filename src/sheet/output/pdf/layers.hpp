@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "output/attachments.hpp"
+#include "output/pdf/tags.hpp"
 
 namespace epura::output {
 
@@ -23,12 +24,15 @@ struct PdfPage {
   std::string placement;            ///< matrix "a b c d e f" from the layers' units to points
   PdfBookmark bookmark;
   std::vector<PdfBookmark> views;  ///< below the bookmark of the page
+  PdfTags tags{};                  ///< of an archive
 };
 
 struct PdfDocument {
   std::vector<PdfPage> pages;
   std::string title, author, subject;     ///< empty: not given
   std::vector<Attachment> attachments{};  ///< sorted by name
+  bool is_archive = false;                ///< PDF/A-3b and PDF/UA-1; the title is not empty then
+  std::string language{};                 ///< of the texts: "en" (RFC 3066)
 };
 
 /// Each layer is a content stream of its page, in an optional content group of its name (ISO 32000-1, 7.7.3 and 8.11);
