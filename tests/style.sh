@@ -41,7 +41,7 @@ foreign_namespaces() {
   local folder name
   for folder in $(find src -mindepth 2 -maxdepth 2 -type d | grep -vE '/(base|app|library)$'); do
     name=${folder##*/}
-    case $name in views | composition) name=pipeline ;; esac
+    case $name in views | composition) name=pipeline ;; sizes | dimensions | annotations) name=sheet ;; esac
     grep -rlE '^namespace epura' "$folder" --include='*.[ch]pp' | xargs -r grep -L "^namespace epura::$name {"
   done
 }

@@ -27,7 +27,8 @@ const ProgramTexts& program_texts() {
       .exit_codes =
           {{0, "success"},
            {found_wrong_exit_code,
-             "differences found (compare, snapshot, check) or errors found (lint, define, --verify, plugins check, views "
+            "differences found (compare, snapshot, check) or errors found (lint, define, --verify, plugins check, "
+            "views "
             "beyond their sheet), requirements that are not drawn (draw) or not read whole (requirements), or jobs "
             "failed (batch)"},
            {2, "wrong input"},

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "base/text.hpp"
-#include "sheet/dimensions/boxes.hpp"
+#include "sheet/boxes.hpp"
 #include "sheet/lettering.hpp"
 
 namespace epura::study {

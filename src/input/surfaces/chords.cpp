@@ -19,8 +19,9 @@ bool is_piece(const Facets& facets, int facet, const Region& region) {
   return is_chord(facets, facet, region.surface, allowance_of(facets, region.sagitta), region.sagitta);
 }
 
-// Whether a facet lies on the inner side of a surface that has one, nowhere much deeper than facets do in their middles:
-// what cuts the facets of a mesh, rather than the surface, leaves vertices there. Wide ends of cones are deeper.
+// Whether a facet lies on the inner side of a surface that has one, nowhere much deeper than facets do in their
+// middles: what cuts the facets of a mesh, rather than the surface, leaves vertices there. Wide ends of cones are
+// deeper.
 bool is_within_chords(const Facets& facets, int facet, const Region& region) {
   if (region.surface.kind == SurfaceKind::torus) return false;
   const double allowance = allowance_of(facets, region.sagitta), deepest = 2 * region.sagitta + allowance;

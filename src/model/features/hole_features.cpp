@@ -121,8 +121,8 @@ class HoleReader {
     return std::max(together * part_.tolerance, together_in_world * glm::length(world_.box.size()));
   }
 
-  // How far above its mouth, along its axis, a hole begins, in a plane face or a round one that are perpendicular to the
-  // axis there: where facets of a round face are cut, the mouth lies below it. Nothing if there is no such face.
+  // How far above its mouth, along its axis, a hole begins, in a plane face or a round one that are perpendicular to
+  // the axis there: where facets of a round face are cut, the mouth lies below it. Nothing if there is no such face.
   [[nodiscard]] std::optional<double> face_above_mouth(const HoleFeature& hole, int body) const {
     const double at = glm::dot(hole.mouth, hole.axis);
     for (const surfaces::PartFace& face : part_.faces) {

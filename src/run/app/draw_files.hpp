@@ -11,7 +11,7 @@
 #include "base/progress.hpp"
 #include "pipeline/targets.hpp"
 #include "report/report.hpp"
-#include "sheet/dimensions/rebuilt_part.hpp"
+#include "sizes/rebuilt_part.hpp"
 #include "views/draw_view.hpp"
 #include "views/messages.hpp"
 

@@ -7,21 +7,21 @@
 #include <map>
 #include <utility>
 
+#include "annotations/balloons.hpp"
+#include "annotations/cutting_plane_line.hpp"
+#include "annotations/detail_marks.hpp"
+#include "annotations/sight_arrows.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "composition/construction_layers.hpp"
 #include "composition/occupied_room.hpp"
 #include "composition/tell.hpp"
+#include "dimensions/dimensions.hpp"
 #include "drawing/drawing.hpp"
-#include "sheet/balloons.hpp"
 #include "sheet/captions.hpp"
-#include "sheet/cutting_plane_line.hpp"
-#include "sheet/detail_marks.hpp"
-#include "sheet/dimensions/dimensions.hpp"
 #include "sheet/frame.hpp"
 #include "sheet/free_rectangles.hpp"
 #include "sheet/projection_symbol.hpp"
-#include "sheet/sight_arrows.hpp"
 #include "views/details.hpp"
 
 namespace epura::pipeline {

@@ -9,8 +9,8 @@
 
 #include "composition/callouts.hpp"
 #include "scene/description.hpp"
-#include "sheet/dimensions/hole_table.hpp"
 #include "sheet/notation.hpp"
+#include "sizes/hole_table.hpp"
 #include "view/projected_scene.hpp"
 #include "views/sections.hpp"
 #include "views/view_plan.hpp"

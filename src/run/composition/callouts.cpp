@@ -8,11 +8,11 @@
 #include <map>
 #include <optional>
 
+#include "annotations/callout_symbols.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "composition/page_triangle.hpp"
 #include "drawing/drawing.hpp"
-#include "sheet/callout_symbols.hpp"
 #include "sheet/fit_text.hpp"
 
 namespace epura::pipeline {

@@ -8,9 +8,9 @@
 #include <variant>
 #include <vector>
 
+#include "annotations/callouts.hpp"
 #include "drawing/view_drawing.hpp"
 #include "scene/description.hpp"
-#include "sheet/callouts.hpp"
 #include "world/world.hpp"
 
 namespace epura::pipeline {

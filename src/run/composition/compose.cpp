@@ -9,6 +9,10 @@
 #include <string_view>
 #include <utility>
 
+#include "annotations/centre_lines.hpp"
+#include "annotations/cutting_plane_line.hpp"
+#include "annotations/hatch.hpp"
+#include "annotations/limit_lines.hpp"
 #include "composition/annotation_layers.hpp"
 #include "composition/detail_layers.hpp"
 #include "construction/figure.hpp"
@@ -16,12 +20,8 @@
 #include "drawing/thin.hpp"
 #include "report/format.hpp"
 #include "sheet/captions.hpp"
-#include "sheet/centre_lines.hpp"
-#include "sheet/cutting_plane_line.hpp"
-#include "sheet/hatch.hpp"
 #include "sheet/label_positions.hpp"
 #include "sheet/lettering.hpp"
-#include "sheet/limit_lines.hpp"
 #include "sheet/notation.hpp"
 #include "sheet/sheet_layers.hpp"
 #include "sheet/standard_scale.hpp"

@@ -7,9 +7,9 @@
 #include <optional>
 #include <utility>
 
+#include "annotations/construction_layer.hpp"
 #include "construction/figure.hpp"
 #include "drawing/drawing.hpp"
-#include "sheet/construction_layer.hpp"
 #include "sheet/free_rectangles.hpp"
 #include "sheet/table_drawing.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "composition/annotation_layers.hpp"
 #include "construction/figure.hpp"
-#include "sheet/dimensions/dimensions.hpp"
+#include "dimensions/dimensions.hpp"
 
 namespace epura::pipeline {
 

@@ -4,8 +4,8 @@
 #include <iterator>
 #include <utility>
 
+#include "annotations/detail_marks.hpp"
 #include "drawing/drawing.hpp"
-#include "sheet/detail_marks.hpp"
 #include "sheet/frame.hpp"
 #include "sheet/standard_scale.hpp"
 #include "views/details.hpp"

@@ -13,9 +13,9 @@
 #include "composition/annotations.hpp"
 #include "features/tolerances.hpp"
 #include "features/true_extents.hpp"
-#include "sheet/dimensions/coordinates.hpp"
-#include "sheet/dimensions/free_faces.hpp"
-#include "sheet/dimensions/place_joins.hpp"
+#include "sizes/coordinates.hpp"
+#include "sizes/free_faces.hpp"
+#include "sizes/place_joins.hpp"
 
 namespace epura::pipeline {
 

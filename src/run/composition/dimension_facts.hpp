@@ -6,7 +6,7 @@
 
 #include "composition/finished_sheet.hpp"
 #include "scene/description.hpp"
-#include "sheet/dimensions/coverage.hpp"
+#include "sizes/coverage.hpp"
 #include "world/world.hpp"
 
 namespace epura::pipeline {

@@ -164,4 +164,17 @@ sheet::Layer free_face_layer(const drawing::ViewDrawing& drawing, const world::W
   return layer;
 }
 
+void hatch_free_faces(std::span<FinishedSheet> sheets, const scene::SceneDescription& scene, const ShownWorlds& worlds,
+                      const HatchedFaces& hatched) {
+  for (FinishedSheet& sheet : sheets)
+    for (const drawing::ViewDrawing& drawing : sheet.drawings) {
+      const auto view = std::find_if(scene.views.begin(), scene.views.end(),
+                                     [&drawing](const auto& one) { return one.name.value == drawing.name; });
+      if (view == scene.views.end()) continue;
+      sheet::Layer layer =
+          free_face_layer(drawing, worlds.seen_in(*view), hatched, sheet::line_widths(sheet.paper).narrow);
+      if (!layer.strokes.empty()) sheet.sheet.layers.insert(sheet.sheet.layers.begin(), std::move(layer));
+    }
+}
+
 }  // namespace epura::pipeline

@@ -5,8 +5,10 @@
 #include <span>
 #include <vector>
 
+#include "composition/finished_sheet.hpp"
 #include "drawing/view_drawing.hpp"
 #include "sheet/sheet.hpp"
+#include "views/shown_worlds.hpp"
 #include "world/world.hpp"
 
 namespace epura::pipeline {
@@ -21,5 +23,9 @@ struct HatchedFaces {
 /// shows. Nothing on details and on views with breaks.
 sheet::Layer free_face_layer(const drawing::ViewDrawing& drawing, const world::World& world,
                              const HatchedFaces& hatched, double line_width);
+
+/// Puts these layers below all others of the sheets.
+void hatch_free_faces(std::span<FinishedSheet> sheets, const scene::SceneDescription& scene, const ShownWorlds& worlds,
+                      const HatchedFaces& hatched);
 
 }  // namespace epura::pipeline

@@ -10,7 +10,7 @@
 #include "base/text.hpp"
 #include "composition/annotations.hpp"
 #include "sheet/captions.hpp"
-#include "sheet/dimensions/anchors.hpp"
+#include "sizes/anchors.hpp"
 #include "world/placed_part.hpp"
 
 namespace epura::pipeline {

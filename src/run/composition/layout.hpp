@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "annotations/balloons.hpp"
 #include "composition/annotations.hpp"
 #include "scene/description.hpp"
-#include "sheet/balloons.hpp"
 #include "sheet/paper.hpp"
 #include "sheet/projection_symbol.hpp"
 #include "sheet/sheet_layers.hpp"
@@ -45,8 +45,9 @@ inline constexpr std::array smaller_rooms{0.5, 0.25};
 /// one.
 std::vector<LayoutRequest> better_layouts(const scene::SheetDescription& sheet, const SheetPlan& usual);
 
-/// Layouts to be tried in turn while the usual one leaves something out: larger sheets, if the size is chosen, otherwise
-/// the next larger scale with less room around the views, where what has no place may find one, and smaller scales.
+/// Layouts to be tried in turn while the usual one leaves something out: larger sheets, if the size is chosen,
+/// otherwise the next larger scale with less room around the views, where what has no place may find one, and smaller
+/// scales.
 std::vector<LayoutRequest> roomier_layouts(const scene::SheetDescription& sheet, const SheetPlan& usual);
 
 /// Whether one layout has a smaller sheet than the other, or a larger scale on the same one.

@@ -11,7 +11,7 @@
 #include "composition/free_forms.hpp"
 #include "features/assembly_features.hpp"
 #include "features/true_extents.hpp"
-#include "sheet/dimensions/free_faces.hpp"
+#include "sizes/free_faces.hpp"
 
 namespace epura::pipeline {
 

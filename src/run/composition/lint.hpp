@@ -9,14 +9,14 @@
 #include "composition/annotations.hpp"
 #include "composition/free_face_layer.hpp"
 #include "report/report.hpp"
-#include "sheet/dimensions/coverage.hpp"
+#include "sizes/coverage.hpp"
 #include "view/projected_scene.hpp"
 #include "views/view_plan.hpp"
 
 namespace epura::pipeline {
 
 /// The dimensions of a sheet by view; `seen` and `annotations` are in the order of the views. Throws Error{input}: see
-/// sheet/dimensions/anchors.hpp.
+/// sizes/anchors.hpp.
 std::vector<sheet::DimensionsInView> anchored_dimensions(const world::World& world, const SheetOfViews& sheet,
                                                          std::span<const view::ProjectedScene> seen,
                                                          std::span<const Annotations> annotations);

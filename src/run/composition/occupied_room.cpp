@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "drawing/drawing.hpp"
-#include "sheet/dimensions/boxes.hpp"
+#include "sheet/boxes.hpp"
 #include "sheet/frame.hpp"
 
 namespace epura::pipeline {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "sheet/dimensions/conflicts.hpp"
+#include "dimensions/conflicts.hpp"
 #include "sheet/furniture.hpp"
 #include "sheet/sheet_layers.hpp"
 #include "views/draw_view.hpp"

@@ -12,7 +12,7 @@
 #include "base/text.hpp"
 #include "composition/requirement_words.hpp"
 #include "scene/choices.hpp"
-#include "sheet/dimensions/tolerance.hpp"
+#include "sizes/tolerance.hpp"
 
 namespace epura::pipeline {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "annotations/balloons.hpp"
 #include "drawing/drawing.hpp"
-#include "sheet/balloons.hpp"
 #include "world/items.hpp"
 #include "world/world.hpp"
 

@@ -19,8 +19,8 @@
 #include "features/tolerances.hpp"
 #include "scene/body_styles.hpp"
 #include "scene/choices.hpp"
-#include "sheet/dimensions/coordinates.hpp"
-#include "sheet/dimensions/equal_features.hpp"
+#include "sizes/coordinates.hpp"
+#include "sizes/equal_features.hpp"
 
 namespace epura::pipeline {
 

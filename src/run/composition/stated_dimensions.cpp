@@ -14,7 +14,7 @@
 #include "composition/requirement_texts.hpp"
 #include "composition/requirement_words.hpp"
 #include "features/tolerances.hpp"
-#include "sheet/dimensions/equal_features.hpp"
+#include "sizes/equal_features.hpp"
 #include "surfaces/limits.hpp"
 
 namespace epura::pipeline {

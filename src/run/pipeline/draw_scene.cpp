@@ -23,8 +23,9 @@
 #include "pipeline/read_models.hpp"
 #include "pipeline/recognise_parts.hpp"
 #include "pipeline/replace_helical_threads.hpp"
-#include "sheet/dimensions/anchors.hpp"
+#include "pipeline/within_error.hpp"
 #include "sheet/line_styles.hpp"
+#include "sizes/anchors.hpp"
 #include "verify/verify.hpp"
 #include "view/condition.hpp"
 #include "views/arrow_views.hpp"
@@ -341,12 +342,6 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
   return sheet;
 }
 
-// Of ascending numbers.
-int count_below(const std::vector<std::size_t>& numbers, int limit) {
-  return static_cast<int>(std::count_if(numbers.begin(), numbers.end(),
-                                        [limit](std::size_t one) { return static_cast<int>(one) < limit; }));
-}
-
 void Run::finish(FinishedSheet& sheet, const SheetPlan& plan, std::vector<sheet::DimensionsInView> anchored) {
   sheet.next_size = plan.next_size;
   std::vector<std::vector<std::size_t>> undrawn = sheet.left_out;
@@ -356,7 +351,8 @@ void Run::finish(FinishedSheet& sheet, const SheetPlan& plan, std::vector<sheet:
     for (sheet::DimensionObject& object : layer.dimensions)
       for (std::size_t view = 0; view < anchored.size(); ++view)
         if (layer.name.starts_with(anchored[view].view + "/"))
-          object.number -= count_below(undrawn[view], object.number);
+          object.number -= static_cast<int>(std::ranges::count_if(
+              undrawn[view], [&object](std::size_t one) { return std::cmp_less(one, object.number); }));
   leave_out(anchored, undrawn);
   add_all(gathered.dimensioned, std::move(anchored));
 }
@@ -568,16 +564,7 @@ void Run::lint(std::span<FinishedSheet> sheets, const ShownWorlds& worlds) {
     if (std::none_of(report.findings.begin(), report.findings.end(),
                      [&one](const report::Finding& finding) { return finding.accepted == one.reason; }))
       messages.warn("nothing is found of the accepted " + one.feature + "\n  hint: remove it from the scene");
-  if (!options.hatch_free) return;
-  for (FinishedSheet& sheet : sheets)
-    for (const drawing::ViewDrawing& drawing : sheet.drawings) {
-      const auto view = std::find_if(scene.views.begin(), scene.views.end(),
-                                     [&drawing](const auto& one) { return one.name.value == drawing.name; });
-      if (view == scene.views.end()) continue;
-      sheet::Layer layer =
-          free_face_layer(drawing, worlds.seen_in(*view), free, sheet::line_widths(sheet.paper).narrow);
-      if (!layer.strokes.empty()) sheet.sheet.layers.insert(sheet.sheet.layers.begin(), std::move(layer));
-    }
+  if (options.hatch_free) hatch_free_faces(sheets, scene, worlds, free);
 }
 
 DrawnScene draw_once(const scene::SceneDescription& scene, const RunOptions& options, const RunContext& context,
@@ -595,48 +582,18 @@ DrawnScene draw_once(const scene::SceneDescription& scene, const RunOptions& opt
           std::move(run.gathered.rebuilt)};
 }
 
-// Reads surfaces again, with finer facets, while lines are farther off than --max-error. Attempts hardly depend on it,
-// so it is known which one is kept.
-DrawnScene draw_within_error(const scene::SceneDescription& scene, const RunOptions& options, const RunContext& context,
-                             const std::vector<SheetOfViews>& sheets) {
-  constexpr double finer = 4;  // each time
-  expect_certain(*options.max_error, reading_of(scene, options, *options.max_error).options.relative_tolerance);
-  std::optional<TooFar> last, best;
-  for (double facets = usual_facets;;) {
-    HeldMessages held;
-    const Messages messages = held.messages();
-    try {
-      DrawnScene drawn = draw_once(scene, options, {messages, context.progress, context.watch}, sheets, facets);
-      held.tell(context.messages);
-      return drawn;
-    } catch (const TooFar& attempt) {
-      if (!best || attempt.least < best->least) best = attempt;
-      const double factor = finer_by(attempt, last, finer);
-      if (factor == 1) {
-        held.tell(context.messages);
-        refuse(*options.max_error, *best);
-      }
-      facets /= factor;
-      last = attempt;
-    } catch (const Error&) {
-      held.tell(context.messages);
-      if (best) refuse(*options.max_error, *best);  // too much for the importer
-      throw;
-    } catch (...) {
-      held.tell(context.messages);
-      throw;
-    }
-  }
-}
-
 }  // namespace
 
 DrawnScene draw_scene(const scene::SceneDescription& scene, const RunOptions& options, const RunContext& context) {
   const ThreadLimit threads(options.threads);
   const std::vector<SheetOfViews> sheets = views_by_sheet(scene, plan_views(scene, options));
   context.watch.lap("prepare");
-  return options.max_error ? draw_within_error(scene, options, context, sheets)
-                           : draw_once(scene, options, context, sheets, usual_facets);
+  const auto draw = [&](double facets, const Messages& messages) {
+    return draw_once(scene, options, {messages, context.progress, context.watch}, sheets, facets);
+  };
+  if (!options.max_error) return draw(usual_facets, context.messages);
+  const double certain = reading_of(scene, options, *options.max_error).options.relative_tolerance;
+  return draw_within_error(*options.max_error, certain, context.messages, draw);
 }
 
 }  // namespace epura::pipeline

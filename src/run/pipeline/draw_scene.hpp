@@ -10,7 +10,7 @@
 #include "composition/finished_sheet.hpp"
 #include "report/report.hpp"
 #include "scene/description.hpp"
-#include "sheet/dimensions/rebuilt_part.hpp"
+#include "sizes/rebuilt_part.hpp"
 #include "views/draw_view.hpp"
 #include "views/messages.hpp"
 #include "views/options.hpp"

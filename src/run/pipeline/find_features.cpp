@@ -21,7 +21,7 @@
 #include "scene/body_styles.hpp"
 #include "scene/details.hpp"
 #include "scene/scene_values.hpp"
-#include "sheet/dimensions/anchors.hpp"
+#include "sizes/anchors.hpp"
 #include "surfaces/numbers.hpp"
 #include "world/placed_part.hpp"
 

@@ -7,13 +7,13 @@
 #include <string>
 #include <utility>
 
+#include "annotations/construction_layer.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "construction/picture_plane.hpp"
 #include "drawing/drawing.hpp"
 #include "pipeline/complete_scene.hpp"
 #include "pipeline/read_models.hpp"
-#include "sheet/construction_layer.hpp"
 
 namespace epura::pipeline {
 

@@ -15,7 +15,7 @@
 #include "features/helical_threads.hpp"
 #include "features/place_threads.hpp"
 #include "features/tolerances.hpp"
-#include "sheet/dimensions/anchors.hpp"
+#include "sizes/anchors.hpp"
 #include "surfaces/declared_part.hpp"
 #include "surfaces/limits.hpp"
 #include "world/placed_part.hpp"

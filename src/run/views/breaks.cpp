@@ -10,7 +10,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "sheet/arrangement.hpp"
-#include "sheet/dimensions/anchors.hpp"
+#include "sizes/anchors.hpp"
 #include "view/paper_map.hpp"
 
 namespace epura::pipeline {

@@ -7,13 +7,13 @@
 #include <set>
 #include <string>
 
+#include "annotations/construction_layer.hpp"
 #include "base/error.hpp"
 #include "construction/axonometry.hpp"
 #include "construction/perspective.hpp"
 #include "drawing/drawing.hpp"
 #include "sheet/arrangement.hpp"
-#include "sheet/construction_layer.hpp"
-#include "sheet/dimensions/anchors.hpp"
+#include "sizes/anchors.hpp"
 #include "view/paper_map.hpp"
 
 namespace epura::pipeline {

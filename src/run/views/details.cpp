@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <string>
 
+#include "annotations/detail_marks.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "drawing/drawing.hpp"
 #include "scene/details.hpp"
-#include "sheet/detail_marks.hpp"
 #include "view/paper_map.hpp"
 
 namespace epura::pipeline {

@@ -9,7 +9,7 @@
 
 #include "base/error.hpp"
 #include "scene/line_roles.hpp"
-#include "sheet/dimensions/boxes.hpp"
+#include "sheet/boxes.hpp"
 #include "sheet/standard_scale.hpp"
 
 namespace epura::sheet {

@@ -7,7 +7,7 @@
 
 #include "base/portable_math.hpp"
 #include "sheet/dash.hpp"
-#include "sheet/dimensions/marks.hpp"
+#include "sheet/marks.hpp"
 
 namespace epura::sheet {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sheet/dimensions/marks.hpp"
+#include "sheet/marks.hpp"
 #include "sheet/sheet.hpp"
 
 namespace epura::sheet {

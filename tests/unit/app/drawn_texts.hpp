@@ -10,7 +10,7 @@
 
 #include "base/text.hpp"
 #include "known_parts.hpp"
-#include "sheet/dimensions/boxes.hpp"
+#include "sheet/boxes.hpp"
 #include "sheet/lettering.hpp"
 
 namespace epura::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sheet/dimensions/box_index.hpp"
+#include "sheet/box_index.hpp"
 
 #include <gtest/gtest.h>
 

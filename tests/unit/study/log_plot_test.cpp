@@ -7,7 +7,7 @@
 #include <cmath>
 #include <random>
 
-#include "sheet/dimensions/boxes.hpp"
+#include "sheet/boxes.hpp"
 
 namespace epura::study::log_plot_test {
 namespace {

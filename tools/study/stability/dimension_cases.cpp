@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "base/text.hpp"
+#include "dimensions/measure.hpp"
 #include "laboratory/shapes.hpp"
-#include "sheet/dimensions/measure.hpp"
 #include "study/stability/case.hpp"
 
 namespace epura::stability {

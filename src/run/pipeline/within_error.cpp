@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "pipeline/within_error.hpp"
+
+#include <optional>
+
+#include "pipeline/read_models.hpp"
+#include "views/view_error.hpp"
+
+namespace epura::pipeline {
+
+DrawnScene draw_within_error(double max_error, double certain, const Messages& messages, const DrawWithFacets& draw) {
+  constexpr double finer = 4;  // each time
+  expect_certain(max_error, certain);
+  std::optional<TooFar> last, best;
+  for (double facets = usual_facets;;) {
+    HeldMessages held;
+    try {
+      DrawnScene drawn = draw(facets, held.messages());
+      held.tell(messages);
+      return drawn;
+    } catch (const TooFar& attempt) {
+      if (!best || attempt.least < best->least) best = attempt;
+      const double factor = finer_by(attempt, last, finer);
+      if (factor == 1) {
+        held.tell(messages);
+        refuse(max_error, *best);
+      }
+      facets /= factor;
+      last = attempt;
+    } catch (const Error&) {
+      held.tell(messages);
+      if (best) refuse(max_error, *best);  // too much for the importer
+      throw;
+    } catch (...) {
+      held.tell(messages);
+      throw;
+    }
+  }
+}
+
+}  // namespace epura::pipeline

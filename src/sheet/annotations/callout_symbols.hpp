@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// Symbols that stand beside a view: tolerance frames, datums, surface texture. ISO 1101, ISO 5459, ISO 21920-1; sizes
+// of ISO 7083 and ISO 1302. Their lines are as wide as those of the lettering.
+#pragma once
+
+#include "annotations/callouts.hpp"
+#include "scene/geometric_tolerances.hpp"
+#include "scene/surface_texture.hpp"
+#include "sheet/marks.hpp"
+
+namespace epura::sheet {
+
+/// Numbers of the zone have the decimal sign of the sheet.
+Callout tolerance_frame(const scene::ToleranceFrame& frame, const DimensionStyle& style);
+
+/// The frame with the letter of a datum. Its leader begins with a triangle on the line that it means.
+Callout datum_frame(const scene::DatumFeature& datum, const DimensionStyle& style);
+
+/// The symbol, which stands on the reference line of its leader.
+Callout texture_symbol(const scene::SurfaceTexture& texture, const DimensionStyle& style);
+
+/// Heights of a tolerance frame with its text above, of a datum frame, and of a texture symbol with so many lines of
+/// text, in heights of capitals.
+double height_of(const scene::ToleranceFrame& frame);
+double height_of(const scene::DatumFeature& datum);
+double height_of(const scene::SurfaceTexture& texture);
+
+}  // namespace epura::sheet

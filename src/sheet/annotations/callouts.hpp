@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+// Notes and symbols beside a view, with leaders into it. ISO 128-22.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "dimensions/dimensions.hpp"
+#include "drawing/view_drawing.hpp"
+#include "scene/description.hpp"
+#include "sheet/marks.hpp"
+#include "sheet/rectangle.hpp"
+#include "sheet/sheet.hpp"
+
+namespace epura::sheet {
+
+/// Where a leader ends.
+struct CalloutTarget {
+  Vec2 point;                     ///< on paper
+  LeaderEnd end{LeaderEnd::dot};  ///< not automatic
+  std::optional<Vec2> normal{};   ///< of the line there; length 1
+  bool is_border = false;         ///< leaders come from the side of the normal: from outside
+  bool in_line = false;           ///< leaders run along the normal: in line with a dimension line
+};
+
+/// How a leader reaches a callout: as a reference line below it; by a short horizontal line beside it; or from the
+/// triangle of a datum, perpendicular to the line on which that stands.
+enum class LeaderForm { reference, landing, datum };
+
+/// A text or symbol; its lower left corner is the origin until it has its place. Millimetres.
+struct Callout {
+  std::string name{};         ///< for messages
+  std::string requirement{};  ///< of a model file that it draws
+  std::vector<Text> texts{};
+  std::vector<Stroke> strokes{};  ///< as wide as the lines of the lettering
+  std::vector<Fill> fills{};
+  std::vector<ToleranceObject> tolerances{};  ///< their ink is that of the callout
+  Vec2 size{0, 0};
+  LeaderForm form = LeaderForm::reference;
+  double attach = 0;                      ///< height at which a landing meets it
+  std::optional<CalloutTarget> target{};  ///< without one, it has no leader
+  std::vector<CalloutTarget> others{};    ///< where the leader may end instead
+  std::optional<Vec2> at{};               ///< its upper left corner, if that is given
+  bool all_around = false;                ///< a circle at the bend of its leader
+};
+
+/// The layers of a view with callouts: leaders with texts, and the lines of symbols.
+struct CalloutLayers {
+  Layer notes, symbols;
+};
+CalloutLayers callout_layers(const std::string& view, const DimensionStyle& style);
+
+/// Lines of text. With a leader, they stand on its reference line.
+Callout note_callout(const std::vector<std::string>& lines, bool has_leader, const DimensionStyle& style);
+
+/// Numbered notes below a heading, with lines that are broken at blanks to be no longer than `width`, if possible.
+Callout general_notes(const std::string& heading, std::span<const std::vector<std::string>> notes, double width,
+                      const DimensionStyle& style);
+
+/// The box of one with a given position.
+Rectangle box_at(const Callout& callout, const Vec2& upper_left);
+
+/// Adds one without a leader.
+void draw_at(CalloutLayers& layers, const Callout& callout, const Vec2& upper_left);
+
+/// Boxes of the outlines of cut faces, on whose hatching nothing stands.
+std::vector<Rectangle> hatched_boxes(const drawing::ViewDrawing& drawing);
+
+/// Room beside a view for callouts of this height, mm.
+double callout_room(double height);
+
+/// What `place_callouts` did, and could not do.
+struct CalloutFaults {
+  std::vector<std::size_t> without_place;                   ///< numbers of those that are left out
+  std::vector<std::string> crossings;                       ///< names of those at a given position on something else
+  std::vector<std::pair<std::size_t, TurnedBox>> places{};  ///< numbers of those that are drawn, and their boxes
+};
+
+/// Places callouts with leaders one after another, those with given positions first, then datums, frames, texts:
+/// outside the view if possible, clear of its lines and of the neighbours. Leaders of texts are oblique, those of
+/// frames and datums perpendicular to the line at which they end if possible; they cross no lettering, and other lines
+/// only if there is no other way.
+CalloutFaults place_callouts(CalloutLayers& layers, std::span<const Callout> callouts, const drawing::ViewDrawing& view,
+                             const DimensionStyle& style, const Neighbours& neighbours);
+
+}  // namespace epura::sheet

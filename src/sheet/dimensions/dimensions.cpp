@@ -1,0 +1,600 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dimensions/dimensions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "base/error.hpp"
+#include "dimensions/costs.hpp"
+#include "dimensions/forms.hpp"
+#include "dimensions/measure.hpp"
+#include "dimensions/shown_circle.hpp"
+#include "dimensions/surroundings.hpp"
+#include "drawing/drawing.hpp"
+#include "sheet/line_styles.hpp"
+#include "sizes/anchors.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+// Dimensions, or equal features, whose less usual places are tried: that takes long.
+constexpr std::size_t max_in_crowd = 12;
+
+bool is_on_line(const Vec2& p, const Vec2& on, const Vec2& direction) {
+  constexpr double slack = 1e-6;
+  return std::abs(glm::dot(p - on, left_of(direction))) <= slack * (1 + glm::length(p - on)) * glm::length(direction);
+}
+
+// Whether an arrow ends at what the dimension measures.
+bool ends_at(const MeasuredLength& length, const Vec2& tip) {
+  const auto is_end = [&](const Vec2& end) { return is_on_line(tip, end, length.extension); };
+  return is_end(length.from) || is_end(length.to) ||
+         (length.opposite && (is_end((*length.opposite)[0]) || is_end((*length.opposite)[1])));
+}
+
+bool ends_at(const MeasuredRow& row, const Vec2& tip) {
+  const auto is_place = [&](const Vec2& place) { return is_on_line(tip, place, left_of(row.along)); };
+  return std::any_of(row.places.begin(), row.places.end(), is_place) ||
+         (row.opposite && std::any_of(row.opposite->begin(), row.opposite->end(), is_place));
+}
+
+// The extension lines of the length of an arc may be parallel to its bisector.
+bool ends_at(const MeasuredAngle& angle, const Vec2& tip) {
+  return std::any_of(angle.legs.begin(), angle.legs.end(), [&](const Vec2& leg) {
+    return is_on_line(tip, angle.corner, leg) ||
+           (angle.arc && is_on_line(tip, angle.corner + leg, angle.legs[0] + angle.legs[1]));
+  });
+}
+
+bool ends_at(const MeasuredCircle& circle, const Vec2& tip) {
+  return std::abs(glm::length(circle.in_spokes(tip - circle.centre)) - 1) * circle.radius <= 1e-6 * (1 + circle.radius);
+}
+
+// The tip of an arrow, or the centre of a dot.
+Vec2 end_of(const Fill& mark) {
+  constexpr std::size_t corners_of_arrow = 3;
+  const std::vector<Vec2>& ring = mark.rings.front();
+  if (ring.size() <= corners_of_arrow) return ring.front();
+  return std::accumulate(ring.begin(), ring.end(), Vec2(0)) / static_cast<double>(ring.size());
+}
+
+template <class Form>
+void check_ends(const Form& form, const PlacedDimension& dimension) {
+  for (const Fill& arrow : dimension.arrows)
+    check(ends_at(form, end_of(arrow)), "a dimension ends at what it measures");
+}
+
+struct BestPlacement {
+  const PlacedDimension* dimension = nullptr;
+  double cost = HUGE_VAL;
+};
+
+// The cheapest placement if it costs less than `best`. They are in ascending order of their cost.
+BestPlacement better_of(const std::vector<DimensionPlacement>& placements, const Surroundings& surroundings,
+                        BestPlacement best = {}) {
+  for (const DimensionPlacement& placement : placements) {
+    if (placement.cost >= best.cost) break;
+    const double cost = placement.cost + surroundings.cost(placement.dimension, best.cost - placement.cost);
+    if (cost < best.cost) best = {&placement.dimension, cost};
+  }
+  check(best.dimension != nullptr, "a dimension has a place");
+  return best;
+}
+
+// Less usual placements, of forms that have some.
+std::vector<DimensionPlacement> placements_in_crowd(const MeasuredDimension& measured,
+                                                    const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
+  if (const auto* length = std::get_if<MeasuredLength>(&measured.form))
+    return placements_in_crowd(*length, measured, drawing, style);
+  if (const auto* circle = std::get_if<MeasuredCircle>(&measured.form))
+    return placements_in_crowd(*circle, measured, drawing, style);
+  return {};
+}
+
+void sort_by_cost(std::vector<DimensionPlacement>& placements) {
+  std::stable_sort(placements.begin(), placements.end(), [](const auto& a, const auto& b) { return a.cost < b.cost; });
+}
+
+// Dimensions without a choice come first; then distances, small before large; then angles; then circles.
+std::vector<std::size_t> order_of(const std::vector<MeasuredDimension>& dimensions) {
+  const auto rank = [&](std::size_t i) {
+    const MeasuredDimension& dimension = dimensions[i];
+    const auto* length = std::get_if<MeasuredLength>(&dimension.form);
+    const auto* row = std::get_if<MeasuredRow>(&dimension.form);
+    const double size = length ? std::abs(glm::dot(length->to - length->from, length->along)) : row ? row->size() : 0;
+    return std::tuple(!dimension.offset, row ? std::size_t{0} : dimension.form.index(), size, i);
+  };
+  std::vector<std::size_t> order(dimensions.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return rank(a) < rank(b); });
+  return order;
+}
+
+/// Places the dimensions of a view one after the other.
+class Placer {
+ public:
+  Placer(const std::vector<MeasuredDimension>& dimensions, const drawing::ViewDrawing& drawing,
+         const DimensionStyle& style, const Neighbours& neighbours)
+      : dimensions_(dimensions),
+        drawing_(drawing),
+        style_(style),
+        neighbours_(neighbours),
+        order_(order_of(dimensions)),
+        surroundings_(drawing, neighbours),
+        placed_(dimensions.size()),
+        stays_(dimensions.size(), false) {}
+
+  void place_all(const Progress& progress) {
+    for (const std::size_t i : order_) {
+      if (progress.is_out_of_time()) break;
+      place(i);
+      progress.advance(1);
+    }
+    const auto has_place = [](const std::optional<PlacedDimension>& placed) { return placed.has_value(); };
+    check(progress.is_out_of_time() || std::all_of(placed_.begin(), placed_.end(), has_place),
+          "every dimension has a place");
+    place_crossed_anew(progress);
+  }
+
+  /// Takes out some of the first dimensions until none of these has conflicts, and puts back those for which there is
+  /// room then. If some remain, less usual places are tried. Returns the numbers of those that are left out.
+  std::vector<std::size_t> leave_out(std::size_t count, const Progress& progress) {
+    count = std::min(count, placed_.size());
+    const PlacedDimensions all = placed_;
+    std::vector<std::size_t> left_out = leave_out_crossed(count, progress);
+    if (left_out.empty() || left_out.size() > max_in_crowd) return left_out;
+    const PlacedDimensions usual = placed_;
+    is_crowded_ = true;
+    put_back(all);
+    place_crossed_anew(progress);
+    std::vector<std::size_t> others = leave_out_crossed(count, progress);
+    if (others.size() < left_out.size())
+      left_out = std::move(others);
+    else
+      put_back(usual);
+    std::erase_if(left_out, [&](std::size_t i) { return !progress.is_out_of_time() && makes_room_in_crowd(i, count); });
+    return left_out;
+  }
+
+  PlacedDimensions result() { return std::move(placed_); }
+
+ private:
+  // Those that later ones cross are placed anew, now that all others are known. No round makes anything worse.
+  void place_crossed_anew(const Progress& progress) {
+    constexpr int rounds = 3;
+    for (int round = 0; round < rounds; ++round)
+      for (const std::size_t i : order_) {
+        if (!placed_[i] || progress.is_out_of_time()) continue;
+        surroundings_.remove(*placed_[i]);
+        const bool is_crossed = surroundings_.cost(*placed_[i], cost_of_text) >= cost_of_text;
+        surroundings_.add(*placed_[i]);
+        if (!is_crossed) continue;
+        take(i);
+        place(i);
+      }
+  }
+  // Those with most conflicts are taken out first, and rows, which stand for many, last.
+  std::vector<std::size_t> leave_out_crossed(std::size_t count, const Progress& progress) {
+    std::vector<int> conflicts(count);
+    for (std::size_t i = 0; i < count; ++i)
+      if (placed_[i]) conflicts[i] = conflicts_of(i);
+    std::vector<std::size_t> left_out;
+    for (;;) {
+      const std::size_t number = worst_of(conflicts);
+      if (number == count || conflicts[number] == 0) break;
+      check(conflicts[number] > 0 && placed_[number], "what has conflicts is placed");
+      for (std::size_t i = 0; i < count; ++i)
+        if (i != number && placed_[i] && do_cross(*placed_[i], *placed_[number])) --conflicts[i];
+      conflicts[number] = 0;
+      take(number);
+      left_out.push_back(number);
+    }
+    std::sort(left_out.begin(), left_out.end());
+    std::erase_if(left_out,
+                  [&](std::size_t i) { return !progress.is_out_of_time() && (finds_room(i) || makes_room(i, count)); });
+    return left_out;
+  }
+  void place(std::size_t i) {
+    const std::vector<DimensionPlacement> all = is_row(i) ? std::vector<DimensionPlacement>() : placements(i);
+    BestPlacement best = better_of(is_row(i) ? placements_of_row(i) : all, surroundings_);
+    if (is_crowded_ && best.cost >= cost_of_text) best = better_of(more_placements(i), surroundings_, best);
+    placed_[i] = *best.dimension;
+    std::visit([&](const auto& form) { check_ends(form, *placed_[i]); }, dimensions_[i].form);
+    place_at_equal(i, best.cost);
+    surroundings_.add(*placed_[i]);
+  }
+  // At another one of equal features if that is clearly better.
+  void place_at_equal(std::size_t i, double cost) {
+    for (const MeasuredCircle& circle : dimensions_[i].equal) {
+      const double bar = cost - cost_of_crossing;
+      if (bar <= cost_of_slope) return;  // hardly anything is better
+      std::vector<DimensionPlacement> there = placements_of(circle, dimensions_[i], drawing_, style_);
+      sort_by_cost(there);
+      const BestPlacement better = better_of(there, surroundings_, {&*placed_[i], bar});
+      if (better.cost == bar) continue;
+      placed_[i] = *better.dimension;
+      check_ends(circle, *placed_[i]);
+      cost = better.cost;
+    }
+  }
+  [[nodiscard]] std::vector<DimensionPlacement> placements(std::size_t i) const {
+    const auto of_form = [&](const auto& form) { return placements_of(form, dimensions_[i], drawing_, style_); };
+    std::vector<DimensionPlacement> all = std::visit(of_form, dimensions_[i].form);
+    sort_by_cost(all);
+    return all;
+  }
+  // Rows are large, and tried again and again.
+  const std::vector<DimensionPlacement>& placements_of_row(std::size_t i) {
+    auto [known, is_new] = rows_.try_emplace(i);
+    if (is_new) known->second = placements(i);
+    return known->second;
+  }
+  const std::vector<DimensionPlacement>& more_placements(std::size_t i) {
+    auto [known, is_new] = more_.try_emplace(i);
+    if (is_new) known->second = placements_in_crowd(dimensions_[i], drawing_, style_);
+    if (is_new) sort_by_cost(known->second);
+    return known->second;
+  }
+  [[nodiscard]] bool is_row(std::size_t i) const { return std::holds_alternative<MeasuredRow>(dimensions_[i].form); }
+  void take(std::size_t i) {
+    surroundings_.remove(*placed_[i]);
+    placed_[i].reset();
+  }
+  bool finds_room(std::size_t i) {
+    place(i);
+    if (conflicts_of(i) == 0) return true;
+    take(i);
+    return false;
+  }
+  // Of several, the last one: overall dimensions are first.
+  [[nodiscard]] std::size_t worst_of(const std::vector<int>& conflicts) const {
+    std::size_t worst = conflicts.size();
+    const auto rank = [&](std::size_t i) { return std::pair(conflicts[i] > 0 && !is_row(i), conflicts[i]); };
+    for (std::size_t i = 0; i < conflicts.size(); ++i)
+      if (worst == conflicts.size() || rank(i) >= rank(worst)) worst = i;
+    return worst;
+  }
+  // Moves all that is where the dimension would be, and in a crowd what is where these would be, `deep` times.
+  bool moves_others(std::size_t number, std::size_t count, int deep = 0) {
+    const PlacedDimensions before = placed_;
+    place(number);
+    std::vector<std::size_t> moved;
+    bool all_move = faults_of(*placed_[number], drawing_, neighbours_) == 0;
+    for (std::size_t i = 0; i < placed_.size() && all_move; ++i) {
+      if (i == number || !placed_[i] || !do_cross(*placed_[number], *placed_[i])) continue;
+      all_move = i < count && !is_row(i) && !stays_[i];
+      moved.push_back(i);
+    }
+    stays_[number] = true;
+    if (all_move) {
+      for (const std::size_t i : moved) take(i);
+      all_move = std::all_of(moved.begin(), moved.end(), [&](std::size_t i) {
+        return finds_room(i) || (deep > 0 && moves_others(i, count, deep - 1));
+      });
+    }
+    stays_[number] = false;
+    if (!all_move) put_back(before);
+    check(all_move == placed_[number].has_value(), "a dimension that finds no room is not placed");
+    return all_move;
+  }
+  void put_back(const PlacedDimensions& before) {
+    for (std::size_t i = 0; i < placed_.size(); ++i)
+      if (placed_[i]) take(i);
+    placed_ = before;
+    for (const std::optional<PlacedDimension>& dimension : placed_)
+      if (dimension) surroundings_.add(*dimension);
+  }
+  void put_back(std::size_t i, const std::optional<PlacedDimension>& before) {
+    if (placed_[i]) take(i);
+    placed_[i] = before;
+    surroundings_.add(*before);
+  }
+  // Moves another one of the first ones.
+  bool makes_room(std::size_t i, std::size_t count) {
+    if (is_row(i)) return moves_others(i, count);
+    for (std::size_t other = 0; other < count; ++other) {
+      if (!placed_[other] || is_row(other)) continue;
+      const auto before = placed_[other];
+      take(other);
+      if (finds_room(i)) {
+        if (finds_room(other)) return true;
+        take(i);
+      }
+      put_back(other, before);
+    }
+    return false;
+  }
+  bool makes_room_in_crowd(std::size_t i, std::size_t count) {
+    constexpr int deep = 3;
+    return finds_room(i) || moves_others(i, count, deep) || (!is_row(i) && makes_room(i, count));
+  }
+  [[nodiscard]] int conflicts_of(std::size_t number) const {
+    int count = faults_of(*placed_[number], drawing_, neighbours_);
+    for (std::size_t i = 0; i < placed_.size(); ++i)
+      if (i != number && placed_[i] && do_cross(*placed_[number], *placed_[i])) ++count;
+    return count;
+  }
+
+  const std::vector<MeasuredDimension>& dimensions_;
+  const drawing::ViewDrawing& drawing_;
+  const DimensionStyle& style_;
+  const Neighbours& neighbours_;
+  std::vector<std::size_t> order_;
+  Surroundings surroundings_;
+  PlacedDimensions placed_;
+  std::vector<bool> stays_;  ///< while others are moved
+  std::map<std::size_t, std::vector<DimensionPlacement>> rows_, more_;
+  bool is_crowded_ = false;  ///< whether less usual placements are tried, too
+};
+
+// U+2300, or the letter that replaces it.
+std::string diameter_sign(const Lettering& lettering) { return lettering.covers("⌀") ? "⌀" : "Ø"; }
+
+// U+2312, or a character that looks like it.
+std::string arc_sign(const Lettering& lettering) { return lettering.covers("⌒") ? "⌒" : "∩"; }
+
+void expect_letters(const std::string& text, const AnchoredDimension& dimension, const Lettering& lettering) {
+  const std::vector<std::string> missing = lettering.missing(text);
+  if (!missing.empty())
+    throw Error(ErrorKind::input, dimension.where, "no installed font has '" + missing.front() + "'",
+                "write the text without it");
+}
+
+/// A straight stroke, as a part of the line through it.
+struct LinePart {
+  long long angle;    ///< of the line, 1e-9 rad
+  double offset;      ///< of the line from the origin, mm
+  double begin, end;  ///< along the line, mm
+  Vec2 read;          ///< direction of the line
+  Stroke* stroke;
+  std::size_t first;  ///< of the two points of the stroke, the one at `begin`
+};
+
+std::vector<LinePart> straight_parts(PlacedDimensions& placed) {
+  std::vector<LinePart> parts;
+  for (std::optional<PlacedDimension>& dimension : placed) {
+    if (!dimension) continue;
+    for (Stroke& stroke : dimension->strokes) {
+      if (stroke.points.size() != 2 || stroke.points[0] == stroke.points[1]) continue;
+      const Vec2 read = reading_direction(glm::normalize(stroke.points[1] - stroke.points[0]));
+      const double from = glm::dot(read, stroke.points[0]), to = glm::dot(read, stroke.points[1]);
+      parts.push_back({std::llround(1e9 * portable_atan2(read.y, read.x)), cross(read, stroke.points[0]),
+                       std::min(from, to), std::max(from, to), read, &stroke, from < to ? 0U : 1U});
+    }
+  }
+  return parts;
+}
+
+// Of strokes along one another, as extension lines from one place, one is drawn: no pen follows a line twice.
+void draw_once(PlacedDimensions& placed) {
+  constexpr double slack = 1e-6;  // mm
+  std::vector<LinePart> parts = straight_parts(placed);
+  std::stable_sort(parts.begin(), parts.end(), [](const LinePart& a, const LinePart& b) {
+    return std::tie(a.angle, a.offset) < std::tie(b.angle, b.offset);
+  });
+  const auto is_next_line = [](const LinePart& a, const LinePart& b) {
+    return a.angle != b.angle || b.offset - a.offset > slack;
+  };
+  for (auto first = parts.begin(); first != parts.end();) {
+    const auto at = std::adjacent_find(first, parts.end(), is_next_line);
+    const auto last = at == parts.end() ? at : std::next(at);
+    std::stable_sort(first, last, [](const LinePart& a, const LinePart& b) { return a.begin < b.begin; });
+    double drawn = -HUGE_VAL;
+    for (; first != last; ++first) {
+      std::vector<Vec2>& points = first->stroke->points;
+      check(first->begin < first->end, "a part of a line has a length");
+      if (first->begin < drawn - slack) points[first->first] += (drawn - first->begin) * first->read;
+      if (first->end <= drawn + slack) points.clear();
+      drawn = std::max(drawn, first->end);
+    }
+  }
+  for (std::optional<PlacedDimension>& dimension : placed)
+    if (dimension) std::erase_if(dimension->strokes, [](const Stroke& stroke) { return stroke.points.empty(); });
+}
+
+// The part of a line inside a rectangle, as parameters from 0 to 1; nothing if it passes by.
+std::optional<std::array<double, 2>> part_inside(const Rectangle& box, const Vec2& from, const Vec2& to) {
+  double begin = 0, end = 1;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double step = to[axis] - from[axis];
+    if (step == 0 && (from[axis] <= box.min[axis] || from[axis] >= box.max[axis])) return std::nullopt;
+    if (step == 0) continue;
+    const double at_min = (box.min[axis] - from[axis]) / step, at_max = (box.max[axis] - from[axis]) / step;
+    begin = std::max(begin, std::min(at_min, at_max));
+    end = std::min(end, std::max(at_min, at_max));
+  }
+  return begin < end ? std::optional(std::array{begin, end}) : std::nullopt;
+}
+
+// Straight lines make room for letters: no line goes through lettering (ISO 128-2).
+void interrupt_at(const std::vector<TurnedBox>& letters, PlacedDimensions& placed) {
+  constexpr double gap = 0.5;  // mm
+  for (const TurnedBox& letter : letters)
+    for (std::optional<PlacedDimension>& dimension : placed) {
+      if (!dimension) continue;
+      std::vector<Stroke> pieces;
+      for (Stroke& stroke : dimension->strokes) {
+        const Vec2 from = stroke.points.front(), to = stroke.points.back();
+        const auto inside = stroke.points.size() == 2 ? part_inside(around(letter).grown(gap), from, to) : std::nullopt;
+        check(!inside || ((*inside)[0] >= 0 && (*inside)[1] <= 1), "what is left out of a line lies on it");
+        if (!inside) {
+          pieces.push_back(std::move(stroke));
+          continue;
+        }
+        const auto at = [&](double part) { return from + part * (to - from); };
+        if ((*inside)[0] > 0) pieces.push_back(Stroke{{from, at((*inside)[0])}});
+        if ((*inside)[1] < 1) pieces.push_back(Stroke{{at((*inside)[1]), to}});
+      }
+      dimension->strokes = std::move(pieces);
+    }
+}
+
+template <class Ink>
+InkRange append_marks(std::vector<Ink>& all, std::vector<Ink> more) {
+  const std::size_t begin = all.size();
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+  return {begin, all.size()};
+}
+
+void add_to(Layer& layer, PlacedDimension dimension, const std::string& text, const DimensionStyle& style) {
+  const InkRange strokes = append_marks(layer.strokes, std::move(dimension.strokes));
+  const InkRange fills = append_marks(layer.fills, std::move(dimension.arrows));
+  const InkRange texts = append_marks(layer.texts, std::move(dimension.texts));
+  const bool is_one = dimension.objects.size() == 1;
+  check(!is_one || !dimension.text_boxes.empty(), "a dimension has a text");
+  for (std::size_t i = 0; i < dimension.objects.size(); ++i) {
+    DimensionObject& object = layer.dimensions.emplace_back(std::move(dimension.objects[i]));
+    if (is_one) {
+      object.text = text;
+      object.text_middle = dimension.text_boxes.front().centre;
+    }
+    object.value /= scene::millimetres(style.notation.unit);
+    object.text_height = style.text;
+    object.arrow = style.arrow();
+    object.gap = style.gap();
+    object.overshoot = style.overshoot();
+    object.above = style.above();
+    object.strokes = i == 0 ? strokes : InkRange{strokes.end, strokes.end};
+    object.fills = i == 0 ? fills : InkRange{fills.end, fills.end};
+    object.texts = i == 0 ? texts : InkRange{texts.end, texts.end};
+  }
+}
+
+// The lengths of a row with a common origin, in order.
+DimensionText text_of(const MeasuredRow& row) {
+  DimensionText all;
+  for (std::size_t i = 0; i < row.texts.size(); ++i)
+    if (i != row.origin) all.add((all.pieces.empty() ? "" : ", ") + row.texts[i].line());
+  return all;
+}
+
+/// The dimensions of a view that it shows, and their numbers among all.
+struct ShownDimensions {
+  std::vector<MeasuredDimension> measured;
+  std::vector<std::size_t> numbers;
+  std::size_t found = 0;  ///< as in DimensionedView
+
+  MeasuredDimension& add(std::size_t number, std::size_t found_of_all, MeasuredDimension one) {
+    if (number < found_of_all) ++found;
+    numbers.push_back(number);
+    return measured.emplace_back(std::move(one));
+  }
+};
+
+// The circles of equal features that a whole view shows.
+std::vector<MeasuredCircle> shown_circles(std::span<const scene::FeatureCircle> equal, AnchoredDimension dimension,
+                                          const drawing::ViewDrawing& drawing, const Notation& notation) {
+  std::vector<MeasuredCircle> shown;
+  if (drawing.shown.breaks.any() || dimension.offset) return shown;
+  const std::size_t count = std::min(equal.size(), max_in_crowd);
+  for (std::size_t i = 0; i < count; ++i) {
+    const scene::FeatureCircle& one = equal[i * equal.size() / count];  // of very many, some all over the view
+    dimension.circles = {{one.centre, one.axis, one.radius, one.arc, one.arc.empty()}};
+    const MeasuredDimension there = measure(drawing, dimension, notation);
+    const auto* circle = std::get_if<MeasuredCircle>(&there.form);
+    if (circle != nullptr && shows_visible(drawing, *circle)) shown.push_back(*circle);
+  }
+  check(shown.size() <= max_in_crowd, "only some circles are tried");
+  return shown;
+}
+
+// Those that were found in faces of the part, which the view may not show, are left out with a word in `placed`.
+ShownDimensions measure_shown(const DimensionedView& view, const DimensionStyle& style, PlacedLayer& placed,
+                              const Progress& progress) {
+  Notation notation = style.notation;
+  notation.diameter = diameter_sign(style.lettering);
+  notation.arc = arc_sign(style.lettering);
+  ShownDimensions shown;
+  std::size_t number = 0;
+  for (const AnchoredDimension& dimension : find_anchors(view.world, view.dimensions, progress)) {
+    const std::size_t i = number++;
+    MeasuredDimension measured = measure(view.drawing, dimension, notation);
+    measured.name = dimension.name;
+    expect_letters(measured.text.line(), dimension, style.lettering);
+    const bool is_round = dimension.type == DimensionType::diameter || dimension.type == DimensionType::radius;
+    const bool is_seen = !is_round || view.lacks_lines || shows_circle(view.drawing, measured);
+    if (i < view.equal.size()) measured.equal = shown_circles(view.equal[i], dimension, view.drawing, notation);
+    if (i < view.found && !is_seen && !measured.equal.empty()) {
+      measured.form = measured.equal.front();
+    } else if (i < view.found && !is_seen) {
+      placed.unseen.push_back(i);
+      placed.texts_unseen.push_back(measured.text.line());
+      continue;
+    }
+    const auto* row = std::get_if<MeasuredRow>(&measured.form);
+    const bool may_part = i < view.found && row != nullptr && !measured.offset;
+    for (const MeasuredRow& part : may_part ? on_two_sides(*row, style) : std::vector<MeasuredRow>()) {
+      MeasuredDimension& one = shown.add(i, view.found, measured);
+      one.form = part;
+      one.text = text_of(part);
+      if (is_crowded(part, style)) ++placed.fans;
+    }
+    if (!may_part) shown.add(i, view.found, std::move(measured));
+  }
+  check(shown.measured.size() + placed.unseen.size() >= number, "a dimension is shown or not");
+  return shown;
+}
+
+}  // namespace
+
+PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours,
+                             const Progress& progress) {
+  progress.begin("placing dimensions", view.dimensions.size());
+  PlacedLayer result{empty_layer(view.drawing.name, scene::SheetLine::dimension, {2 * style.line, style.line})};
+  const ShownDimensions shown = measure_shown(view, style, result, progress.with_part_of_the_time(0.5));
+  Placer placer(shown.measured, view.drawing, style, neighbours);
+  placer.place_all(progress);
+  std::vector<std::size_t> left_out;
+  if (!progress.is_out_of_time()) left_out = placer.leave_out(shown.found, progress);
+  PlacedDimensions placed = placer.result();
+  std::vector<std::string> texts;
+  for (const MeasuredDimension& one : shown.measured) texts.push_back(one.text.line());
+  result.crossings = crossings_of(placed, texts, view.drawing, neighbours);
+  draw_once(placed);
+  interrupt_at(neighbours.letters, placed);
+  std::set<std::size_t> done(result.unseen.begin(), result.unseen.end());
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    auto& dimension = placed[i];
+    if (!dimension) continue;
+    for (DimensionEnd& end : dimension->ends)
+      if (end.arrow) *end.arrow += static_cast<int>(result.layer.fills.size());
+    result.zones.insert(result.zones.end(), dimension->zones.begin(), dimension->zones.end());
+    if (const std::string& name = shown.measured[i].name; !name.empty()) result.ends[name] = std::move(dimension->ends);
+    if (!dimension->text_boxes.empty()) result.places.emplace_back(shown.numbers[i], dimension->text_boxes.front());
+    for (DimensionObject& object : dimension->objects) object.number = static_cast<int>(shown.numbers[i]);
+    add_to(result.layer, std::move(*dimension), texts[i], style);
+    done.insert(shown.numbers[i]);
+  }
+  for (const std::size_t i : left_out) {
+    done.insert(shown.numbers[i]);
+    result.texts_left_out.push_back(texts[i]);
+    if (result.left_out.empty() || result.left_out.back() != shown.numbers[i])
+      result.left_out.push_back(shown.numbers[i]);
+  }
+  result.count = done.size();
+  check(result.count <= view.dimensions.size(), "a dimension is drawn or left out");
+  return result;
+}
+
+Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours,
+                      const Progress& progress) {
+  return place_dimensions(view, style, neighbours, progress).layer;
+}
+
+bool on_paper(const Layer& dimensions, const Vec2& size) {
+  return std::all_of(dimensions.strokes.begin(), dimensions.strokes.end(), [&size](const Stroke& stroke) {
+    return std::all_of(stroke.points.begin(), stroke.points.end(),
+                       [&size](const Vec2& p) { return p.x >= 0 && p.y >= 0 && p.x <= size.x && p.y <= size.y; });
+  });
+}
+
+}  // namespace epura::sheet

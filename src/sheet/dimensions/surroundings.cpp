@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "dimensions/surroundings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "dimensions/costs.hpp"
+#include "drawing/drawing.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+constexpr double on_line = 0.1;        // mm, by which what is on a line may be beside it
+constexpr double nearest_lines = 0.7;  // mm between parallel lines. ISO 128-2
+constexpr double size_of_arrow = 3.5;  // mm
+
+std::vector<TurnedBox> boxes_of_leaders(const PlacedDimension& dimension) {
+  std::vector<TurnedBox> boxes;
+  for (const LeaderLine& leader : dimension.leaders) boxes.push_back(line_box(leader.tip, leader.elbow));
+  return boxes;
+}
+
+}  // namespace
+
+std::vector<Disc> discs_of(const drawing::ViewDrawing& drawing) {
+  constexpr std::size_t fewest = 8;   // points; fewer are a polygon
+  constexpr double off_round = 0.02;  // of the radius
+  std::vector<Disc> discs;
+  for (const drawing::Chain& chain : drawing.chains) {
+    if (!chain.closed || !chain.visible || chain.points.size() < fewest) continue;
+    Rectangle box{chain.points.front(), chain.points.front()};
+    for (const Vec2& p : chain.points) box = united(box, {p, p});
+    const Disc disc{box.centre(), box.size().x / 2};
+    if (std::all_of(chain.points.begin(), chain.points.end(), [&](const Vec2& p) {
+          return std::abs(glm::distance(p, disc.centre) - disc.radius) <= off_round * disc.radius;
+        }))
+      discs.push_back(disc);
+  }
+  return discs;
+}
+
+bool goes_through(const LeaderLine& leader, const Disc& disc) {
+  const double off = glm::distance(leader.tip, disc.centre);
+  if (off <= disc.radius + on_line) return off < disc.radius - on_line && 2 * disc.radius <= size_of_arrow;
+  const Vec2 way = leader.elbow - leader.tip;
+  const double part =
+      std::clamp(glm::dot(disc.centre - leader.tip, way) / std::max(glm::dot(way, way), 1e-12), 0.0, 1.0);
+  return glm::distance(leader.tip + part * way, disc.centre) < disc.radius;
+}
+
+Surroundings::Surroundings(const drawing::ViewDrawing& drawing, const Neighbours& neighbours)
+    : paper_(neighbours.paper),
+      others_(neighbours.boxes),
+      views_(neighbours.views),
+      letters_(neighbours.letters),
+      ink_(drawing),
+      discs_(discs_of(drawing)),
+      zones_(others_) {
+  texts_.add(neighbours.texts);
+  zones_.add(neighbours.zones);
+}
+
+void Surroundings::add(const PlacedDimension& dimension) {
+  zones_.add(dimension.zones);
+  texts_.add(dimension.text_boxes);
+  lines_.add(dimension.lines);
+  leaders_.add(boxes_of_leaders(dimension));
+}
+
+void Surroundings::remove(const PlacedDimension& dimension) {
+  zones_.remove(dimension.zones);
+  texts_.remove(dimension.text_boxes);
+  lines_.remove(dimension.lines);
+  leaders_.remove(boxes_of_leaders(dimension));
+}
+
+double Surroundings::cost_of_leader(const LeaderLine& leader) const {
+  const auto through =
+      std::count_if(discs_.begin(), discs_.end(), [&leader](const Disc& disc) { return goes_through(leader, disc); });
+  const TurnedBox line = line_box(leader.tip, leader.elbow);
+  const BoxIndex::LinesBeside others = others_.beside(line, on_line, nearest_lines),
+                              own = lines_.beside(line, on_line, nearest_lines);
+  return cost_of_other * static_cast<double>(through + others.on_it + others.near + own.on_it + zones_.overlaps(line) -
+                                             others_.overlaps(line)) +
+         cost_of_letter * leaders_.overlaps(line);
+}
+
+double Surroundings::cost(const PlacedDimension& dimension, double max) const {
+  // Above `max` whatever the rounding: all but the ink is a sum of whole numbers, and a tie is computed to its end.
+  double cost = 0;
+  // Rows have hundreds of boxes, and in a crowd each meets hundreds of others.
+  const auto add_all = [&](const std::vector<TurnedBox>& boxes, const auto& add) {
+    for (auto box = boxes.begin(); box != boxes.end() && cost <= max; ++box) add(*box);
+  };
+  const auto add_overlaps = [&](double each, const BoxIndex& index, const TurnedBox& box) {
+    if (cost <= max) cost += each * index.overlaps(box, (max - cost) / each);
+  };
+  add_all(dimension.text_boxes, [&](const TurnedBox& text) { add_overlaps(cost_of_text, lines_, text); });
+  add_all(dimension.zones, [&](const TurnedBox& zone) {
+    if (paper_ && !paper_->holds(around(zone))) cost += cost_of_zone;
+    add_overlaps(cost_of_zone, zones_, zone);
+    add_overlaps(cost_of_crossing, lines_, zone);
+  });
+  add_all(dimension.lines, [&](const TurnedBox& line) {
+    add_overlaps(cost_of_zone, views_, line);
+    add_overlaps(cost_of_text, texts_, line);
+    add_overlaps(cost_of_letter, letters_, line);
+    if (cost <= max) cost += cost_of_letter * lines_.beside(line, on_line, nearest_lines).near;
+    add_overlaps(cost_of_other, others_, line);
+    add_overlaps(cost_of_crossing, zones_, line);
+  });
+  for (const LeaderLine& leader : dimension.leaders) cost += cost <= max ? cost_of_leader(leader) : 0;
+  add_all(dimension.text_boxes, [&](const TurnedBox& text) { cost += ink_.in(text) > 0 ? cost_of_text : 0; });
+  add_all(dimension.lines, [&](const TurnedBox& line) { cost += cost_of_ink * ink_.in(line); });
+  check(cost >= 0, "nothing is better than free paper");
+  return cost;
+}
+
+namespace {
+
+constexpr double min_cell = 1;  // mm
+
+Rectangle box_of_ink(const drawing::ViewDrawing& drawing) {
+  if (drawing.segments.empty()) return {Vec2(0), Vec2(0)};
+  Rectangle box{drawing.segments.front().from, drawing.segments.front().from};
+  for (const drawing::Segment& segment : drawing.segments)
+    box = {glm::min(box.min, glm::min(segment.from, segment.to)),
+           glm::max(box.max, glm::max(segment.from, segment.to))};
+  return box;
+}
+
+}  // namespace
+
+InkIndex::InkIndex(const drawing::ViewDrawing& drawing)
+    : drawing_(drawing), cells_(box_of_ink(drawing).min, box_of_ink(drawing).max, min_cell) {
+  for (const drawing::Segment& segment : drawing.segments) cells_.add(segment.from, segment.to);
+}
+
+// All of a box is within half its width of the line through its middle.
+int InkIndex::in(const TurnedBox& box) const {
+  const Vec2 half = box.half.x * box.along;
+  const std::vector<int> near = cells_.find(box.centre - half, box.centre + half, box.half.y);
+  return static_cast<int>(std::count_if(near.begin(), near.end(), [&](int number) {
+    const drawing::Segment& segment = drawing_.segments[static_cast<std::size_t>(number)];
+    return overlap(box, line_box(segment.from, segment.to));
+  }));
+}
+
+}  // namespace epura::sheet

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which sizes of the features of the models have no dimension, and which have several.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "projection/projection.hpp"
+#include "report/report.hpp"
+#include "sheet/notation.hpp"
+#include "sizes/anchors.hpp"
+#include "sizes/automatic.hpp"
+
+namespace epura::sheet {
+
+/// The dimensions in a view.
+struct DimensionsInView {
+  std::string view;
+  projection::Projection projection;
+  std::vector<AnchoredDimension> dimensions;  ///< in the world, where an aligned section turns nothing
+  std::optional<Vec3> turned_about{};  ///< of an aligned section: the direction in which lengths stay as they are
+};
+
+/// Whether is_wanted(dimension) holds for one in any view.
+template <class IsWanted>
+bool any_dimension(std::span<const DimensionsInView> views, const IsWanted& is_wanted) {
+  return std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
+    return std::any_of(view.dimensions.begin(), view.dimensions.end(), is_wanted);
+  });
+}
+
+struct Coverage {
+  std::vector<report::SizeCount> counts;  ///< of kinds that there are
+  std::vector<std::string> undimensioned;
+  std::vector<std::string> repeated;
+  std::vector<std::string> views_to_add;  ///< each once: they show what no view shows
+};
+
+/// Along each axis of the world, places of features are nodes and dimensions join them: a place that no chain of
+/// dimensions joins to the ends of the models is not dimensioned, and a dimension between places that are joined
+/// already repeats others. A diameter joins the middle of a circle with its sides. A text that begins with "4×" counts
+/// for four equal features; a text in brackets is auxiliary (ISO 129-1) and counts for nothing.
+Coverage find_coverage(std::span<const DimensionsInView> views, const DimensionSubject& subject,
+                       const Notation& notation);
+
+}  // namespace epura::sheet

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sizes/drawn_part.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "definition/limits.hpp"
+#include "definition/part_of_model.hpp"
+#include "features/assembly_features.hpp"
+#include "features/engraving.hpp"
+#include "features/tolerances.hpp"
+#include "sizes/feature_table.hpp"
+#include "sizes/place_joins.hpp"
+#include "surfaces/least_squares.hpp"
+#include "world/placed_part.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+using definition::Part;
+using surfaces::PartSurface;
+using surfaces::SurfaceKind;
+
+bool is_on(const WorldCircle& circle, const PartSurface& axis, double slack) {
+  return features::are_parallel(axis.axis, circle.axis) &&
+         std::abs(features::distance_from_line(circle.centre, axis.origin, axis.axis) - circle.radius) <= slack;
+}
+
+// Where an axis crosses the plane of a circle, as an angle.
+double angle_of(const PartSurface& axis, const WorldCircle& circle) {
+  const Vec3 off = axis.origin - circle.centre;
+  const auto [u, v] = surfaces::square_to(circle.axis);
+  return std::atan2(glm::dot(off, v), glm::dot(off, u));
+}
+
+// Whether angles divide the turn evenly; those of one axis count once.
+bool are_even(std::vector<double> angles) {
+  constexpr double slack = definition::drawn_parallel * 10;
+  std::sort(angles.begin(), angles.end());
+  std::vector<double> once;
+  for (const double angle : angles)
+    if (once.empty() || angle - once.back() > slack) once.push_back(angle);
+  for (std::size_t i = 0; i < once.size(); ++i) {
+    const double next = i + 1 < once.size() ? once[i + 1] : once[0] + full_turn;
+    if (std::abs(next - once[i] - full_turn / static_cast<double>(once.size())) > slack) return false;
+  }
+  return once.size() > 1;
+}
+
+void add_pitch_circle(DrawnPart& drawn, const WorldCircle& circle) {
+  const double slack = slack_of(drawn.part);
+  std::vector<int> axes;
+  std::vector<double> angles;
+  for (std::size_t i = 0; i < drawn.faces; ++i) {
+    const PartSurface& surface = drawn.part.faces[i].surface;
+    const bool is_own = features::are_parallel(surface.axis, circle.axis) &&
+                        features::distance_from_line(circle.centre, surface.origin, surface.axis) <= slack;
+    if (is_own && surfaces::has_axis(surface.kind) && agree(surface.radius, circle.radius)) return;
+    if (surface.kind != SurfaceKind::cylinder || !is_on(circle, surface, slack)) continue;
+    axes.push_back(static_cast<int>(i));
+    angles.push_back(angle_of(surface, circle));
+  }
+  check(axes.size() == angles.size(), "each axis on a circle has its angle");
+  if (axes.size() < 2) return;
+  const PartSurface line{
+      .kind = SurfaceKind::cylinder, .origin = circle.centre, .axis = circle.axis, .radius = circle.radius};
+  drawn.marks.circles.push_back({static_cast<int>(drawn.part.faces.size()), axes, are_even(angles)});
+  drawn.part.faces.push_back({line, circle.centre});
+}
+
+// Parallel planes of the model, and the plane in the middle between them.
+struct Pair {
+  std::array<int, 2> faces;
+  Vec3 normal, at;
+  double width, middle;  // from the origin, along the normal
+};
+
+// The narrowest ones first.
+std::vector<Pair> pairs_of_planes(const DrawnPart& drawn) {
+  const double slack = slack_of(drawn.part);
+  std::vector<Pair> pairs;
+  for (std::size_t i = 0; i < drawn.faces; ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const PartSurface &a = drawn.part.faces[i].surface, &b = drawn.part.faces[j].surface;
+      if (a.kind != SurfaceKind::plane || b.kind != SurfaceKind::plane || !features::are_parallel(a.axis, b.axis))
+        continue;
+      const double one = glm::dot(a.origin, a.axis), other = glm::dot(b.origin, a.axis);
+      if (std::abs(one - other) > slack)
+        pairs.push_back({{static_cast<int>(i), static_cast<int>(j)},
+                         a.axis,
+                         drawn.part.faces[i].at,
+                         std::abs(one - other),
+                         (one + other) / 2});
+    }
+  check(pairs.size() <= drawn.faces * drawn.faces / 2, "two planes are a pair once");
+  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.width < b.width; });
+  return pairs;
+}
+
+int add_middle(DrawnPart& drawn, const Pair& pair, const Vec3& at, std::vector<int> axes) {
+  for (const definition::SymmetryLine& line : drawn.marks.symmetries)
+    if (line.pairs.front() == pair.faces && line.axes == axes) return line.face;
+  const int face = static_cast<int>(drawn.part.faces.size());
+  const PartSurface middle{.kind = SurfaceKind::plane, .origin = at, .axis = pair.normal};
+  drawn.marks.symmetries.push_back({face, {pair.faces}, std::move(axes)});
+  drawn.part.faces.push_back({middle, at});
+  check(drawn.part.faces.size() > drawn.faces, "what is only drawn follows the faces of the model");
+  return face;
+}
+
+// Pairs of planes on both sides of the axis of a round part.
+void add_symmetry(DrawnPart& drawn, const std::vector<Pair>& pairs, const features::Extent& extent) {
+  const double slack = slack_of(drawn.part);
+  int axis = -1;
+  for (std::size_t i = 0; i < drawn.faces && axis < 0; ++i)
+    if (const PartSurface& one = drawn.part.faces[i].surface;
+        one.kind == SurfaceKind::cylinder && features::are_parallel(one.axis, extent.axis) &&
+        features::distance_from_line(extent.centre, one.origin, one.axis) <= slack)
+      axis = static_cast<int>(i);
+  if (axis < 0) return;
+  for (const Pair& pair : pairs)
+    if (std::abs(glm::dot(pair.normal, extent.axis)) <= features::parallel &&
+        std::abs(glm::dot(extent.centre, pair.normal) - pair.middle) <= slack / 2)
+      add_middle(drawn, pair, extent.centre, {axis});
+  check(drawn.part.faces.size() >= drawn.faces, "the faces of the model come before what is only drawn");
+}
+
+// What a dimension measures from or to is no face, corner or axis, but the middle between faces.
+void add_middles(DrawnPart& drawn, const std::vector<Pair>& pairs, const Vec3& point, const Vec3& along) {
+  const double slack = slack_of(drawn.part);
+  const std::vector<definition::Face>& faces = drawn.part.faces;
+  if (std::any_of(faces.begin(), faces.end(), [&](const definition::Face& face) {
+        return definition::has_place_along(face.surface, along) &&
+               std::abs(glm::dot(point - face.surface.origin, along)) <= slack;
+      }))
+    return;
+  std::vector<Pair> nearest;  // of each direction, the narrowest ones first
+  for (const Pair& pair : pairs) {
+    if (std::abs(glm::dot(point, pair.normal) - pair.middle) > slack ||
+        std::abs(glm::dot(pair.normal, along)) <= features::parallel)
+      continue;
+    if (std::none_of(nearest.begin(), nearest.end(),
+                     [&](const Pair& one) { return features::are_parallel(one.normal, pair.normal); }))
+      nearest.push_back(pair);
+  }
+  if (nearest.empty()) return;
+  const bool is_one = features::are_parallel(nearest.front().normal, along);
+  nearest.resize(std::min<std::size_t>(nearest.size(), is_one ? 1 : 2));
+  std::vector<int> middles;
+  for (const Pair& pair : nearest) middles.push_back(add_middle(drawn, pair, point, {}));
+  if (middles.size() > 1) drawn.part.contacts.push_back({{middles[0], middles[1]}, {point}});
+  check(!middles.empty(), "a middle is between faces");
+}
+
+// Centre lines from which an angle is measured, where no face has their directions.
+void add_centre_lines(DrawnPart& drawn, std::span<const Vec3> points) {
+  for (const Vec3& end : points.subspan(1)) {
+    const Vec3 leg = glm::normalize(end - points[0]);
+    const int axis = features::axis_along(leg);
+    if (axis < 0) continue;
+    const Vec3 sight = glm::normalize(glm::cross(points[1] - points[0], points[2] - points[0]));
+    for (const Vec3& normal : {leg, glm::cross(sight, leg)}) {
+      const bool is_known =
+          std::any_of(drawn.part.faces.begin(), drawn.part.faces.end(), [&](const definition::Face& face) {
+            return face.surface.kind == SurfaceKind::plane && features::are_parallel(face.surface.axis, normal);
+          });
+      if (is_known) continue;
+      const PartSurface line{.kind = SurfaceKind::plane, .origin = points[0], .axis = normal};
+      drawn.part.faces.push_back({line, points[0]});
+    }
+  }
+}
+
+bool are_at_60_degrees(const Vec3& a, const Vec3& b) {
+  return std::abs(std::abs(glm::dot(a, b)) - 0.5) <= features::parallel;  // its cosine
+}
+
+// Three pairs, of each the middle goes through one axis.
+void add_hexagons(DrawnPart& drawn, const std::vector<Pair>& all) {
+  const double slack = slack_of(drawn.part);
+  const auto near = [&](const Pair& pair, const Vec3& centre, const Vec3& axis) {
+    return std::all_of(pair.faces.begin(), pair.faces.end(), [&](int face) {
+      return features::distance_from_line(drawn.part.faces[static_cast<std::size_t>(face)].at, centre, axis) <=
+             pair.width;
+    });
+  };
+  const std::vector<definition::Face>& faces = drawn.part.faces;
+  std::vector<Pair> pairs;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(pairs), [&](const Pair& pair) {
+    return std::any_of(faces.begin(), faces.end(), [&](const definition::Face& face) {
+      return face.surface.kind == SurfaceKind::plane && are_at_60_degrees(face.surface.axis, pair.normal);
+    });
+  });
+  for (std::size_t i = 0; i < pairs.size(); ++i)
+    for (std::size_t j = i + 1; j < pairs.size() && pairs[j].width <= pairs[i].width + slack; ++j) {
+      if (!are_at_60_degrees(pairs[i].normal, pairs[j].normal)) continue;
+      const Vec3 axis = glm::normalize(glm::cross(pairs[i].normal, pairs[j].normal));
+      const Vec3 centre = glm::inverse(glm::transpose(Mat3(pairs[i].normal, pairs[j].normal, axis))) *
+                          Vec3(pairs[i].middle, pairs[j].middle, glm::dot(pairs[i].at, axis));
+      for (std::size_t k = j + 1; k < pairs.size() && pairs[k].width <= pairs[i].width + slack; ++k) {
+        if (!are_at_60_degrees(pairs[i].normal, pairs[k].normal) ||
+            !are_at_60_degrees(pairs[j].normal, pairs[k].normal) ||
+            std::abs(glm::dot(pairs[k].normal, axis)) > features::parallel ||
+            std::abs(glm::dot(centre, pairs[k].normal) - pairs[k].middle) > slack)
+          continue;
+        if (!near(pairs[i], centre, axis) || !near(pairs[j], centre, axis) || !near(pairs[k], centre, axis)) continue;
+        definition::Hexagon hexagon{static_cast<int>(drawn.part.faces.size()), {}};
+        for (const std::size_t pair : {i, j, k})
+          hexagon.sides.insert(hexagon.sides.end(), pairs[pair].faces.begin(), pairs[pair].faces.end());
+        check(hexagon.sides.size() == 6, "three pairs have six sides");
+        drawn.marks.hexagons.push_back(std::move(hexagon));
+        const PartSurface touching{
+            .kind = SurfaceKind::cylinder, .origin = centre, .axis = axis, .radius = pairs[i].width / 2};
+        drawn.part.faces.push_back({touching, centre});
+      }
+    }
+}
+
+}  // namespace
+
+double slack_of(const Part& part) { return definition::drawn_in_line * part.size; }
+
+DrawnPart with_drawn_lines(Part part, std::span<const DimensionsInView> views,
+                           std::span<const features::Extent, 3> extents) {
+  const std::size_t faces = part.faces.size();
+  DrawnPart drawn{std::move(part), faces, {}};
+  const std::vector<Pair> pairs = pairs_of_planes(drawn);
+  std::vector<WorldCircle> seen;
+  for (const DimensionsInView& view : views)
+    for (const AnchoredDimension& dimension : view.dimensions) {
+      if (dimension.type != DimensionType::diameter || dimension.circles.empty()) continue;
+      const WorldCircle& circle = dimension.circles.front();
+      const bool is_new = std::none_of(seen.begin(), seen.end(), [&](const WorldCircle& one) {
+        return glm::distance(one.centre, circle.centre) <= slack_of(drawn.part) && agree(one.radius, circle.radius);
+      });
+      if (is_new) add_pitch_circle(drawn, circle);
+      seen.push_back(circle);
+    }
+  for (std::size_t i = 0; i < 3; ++i)
+    if (extents[i].form == features::ExtentForm::diameter &&
+        std::none_of(extents.begin(), extents.begin() + static_cast<std::ptrdiff_t>(i),
+                     [&](const features::Extent& one) { return one.is_same_as(extents[i]); }))
+      add_symmetry(drawn, pairs, extents[i]);
+  add_hexagons(drawn, pairs);
+  for (const DimensionsInView& view : views)
+    for (const AnchoredDimension& dimension : view.dimensions) {
+      if (dimension.type == DimensionType::angular) add_centre_lines(drawn, dimension.points);
+      if (const std::optional<Vec3> along = measured_along(dimension, view))
+        for (const Vec3& point : dimension.points) add_middles(drawn, pairs, point, *along);
+    }
+  check(drawn.part.faces.size() >= faces + drawn.marks.circles.size() + drawn.marks.symmetries.size(),
+        "each circle and plane of symmetry has a face of its own");
+  return drawn;
+}
+
+std::optional<DrawnPart> part_on_sheets(std::span<const DimensionsInView> views, const world::World& world,
+                                        std::span<const features::Extent, 3> extents) {
+  if (features::is_assembly(world) || world.models.size() != 1) return std::nullopt;
+  auto faces = definition::part_of_model(world, 0);
+  if (!faces) return std::nullopt;
+  const std::vector<char> letters = features::walls_of_letters(world.models[0], *world::place_part(world.models[0]));
+  for (std::size_t i = 0; i < faces->faces.size(); ++i)
+    if (letters[i] != 0) faces->faces[i].surface.kind = SurfaceKind::free_form;
+  const std::size_t count = faces->faces.size();
+  if (count > most_faces) return DrawnPart{std::move(*faces), count, {}};
+  DrawnPart drawn = with_drawn_lines(std::move(*faces), views, extents);
+  drawn.part = definition::with_common_directions(std::move(drawn.part), definition::find_directions(drawn.part.faces));
+  return drawn;
+}
+
+}  // namespace epura::sheet

@@ -1,0 +1,526 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sizes/face_statements.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "base/angle.hpp"
+#include "base/disjoint_sets.hpp"
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "definition/limits.hpp"
+#include "features/tolerances.hpp"
+#include "sizes/equal_features.hpp"
+#include "sizes/feature_table.hpp"
+#include "sizes/measured_faces.hpp"
+#include "sizes/place_joins.hpp"
+#include "sizes/stated_values.hpp"
+#include "surfaces/least_squares.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+using definition::End;
+using definition::Row;
+using definition::Statement;
+using definition::UnknownKind;
+using surfaces::PartSurface;
+using surfaces::SurfaceKind;
+
+// All numbers of a text, without the count before "×" at its beginning.
+std::vector<double> numbers_in(std::string text) {
+  if (repeats_of(text) > 1) text.erase(0, text.find("×"));
+  std::vector<double> numbers;
+  for (std::size_t i = 0; i < text.size();) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data() + i, text.data() + text.size(), value);
+    const bool is_number = error == std::errc() && std::isdigit(static_cast<unsigned char>(text[i])) != 0;
+    if (is_number) numbers.push_back(value);
+    i = is_number ? static_cast<std::size_t>(end - text.data()) : i + 1;
+  }
+  return numbers;
+}
+
+// One thing that a number in a text may mean: it determines one of two from the other. -1: what is fixed.
+struct Candidate {
+  Row row;
+  int one, other;
+};
+
+// How many independent things candidates determine.
+int rank_of(const std::vector<Candidate>& candidates, int count) {
+  DisjointSets sets(static_cast<std::size_t>(count) + 1);
+  int rank = 0;
+  for (const Candidate& candidate : candidates)
+    if (const int one = sets.root(candidate.one + 1), other = sets.root(candidate.other + 1); one != other) {
+      sets.join(one, other);
+      ++rank;
+    }
+  return rank;
+}
+
+// To an axis of the world.
+bool is_at_45_degrees(const PartSurface& surface) {
+  if (surface.kind == SurfaceKind::cone) return std::abs(std::abs(surface.slope) - 1) <= size_agrees;
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(std::abs(surface.axis[axis]) - std::sqrt(0.5)) <= size_agrees) return true;
+  return false;
+}
+
+class Reader {
+ public:
+  Reader(const DrawnPart& drawn, const definition::Directions& directions, const definition::Unknowns& unknowns,
+         const Notation& notation)
+      : part_(drawn.part),
+        count_(drawn.faces),
+        directions_(directions),
+        unknowns_(unknowns),
+        measured_(drawn, directions, unknowns, notation),
+        slack_(slack_of(drawn.part)) {}
+
+  FaceStatements read(std::span<const DimensionsInView> views) {
+    for (std::size_t view = 0; view < views.size(); ++view)
+      for (std::size_t i = 0; i < views[view].dimensions.size(); ++i)
+        read_one(views[view].dimensions[i], views[view], {view, i});
+    return std::move(found_);
+  }
+
+ private:
+  void read_one(const AnchoredDimension& dimension, const DimensionsInView& view,
+                const std::array<std::size_t, 2>& place) {
+    if (!is_auxiliary(dimension)) read(dimension, view);
+    found_.of.resize(found_.statements.size(), place);
+  }
+  [[nodiscard]] const PartSurface& surface(int face) const {
+    return part_.faces[static_cast<std::size_t>(face)].surface;
+  }
+  [[nodiscard]] int all_faces() const { return static_cast<int>(part_.faces.size()); }
+
+  void read(const AnchoredDimension& dimension, const DimensionsInView& view) {
+    const std::size_t before = found_.statements.size();
+    switch (dimension.type) {
+      case DimensionType::overall:
+        read_overall(dimension);
+        break;
+      case DimensionType::linear:
+      case DimensionType::aligned:
+        read_length(dimension, view);
+        break;
+      case DimensionType::angular:
+        read_angle(dimension);
+        break;
+      case DimensionType::radius:
+      case DimensionType::diameter:
+        read_circle(dimension);
+        break;
+      default:
+        break;
+    }
+    check(found_.statements.size() >= before, "no dimension takes back what another one says");
+    if (found_.statements.size() > before) state_text(found_.statements[before], dimension, view);
+    if (found_.statements.size() == before)
+      found_.unread.push_back(dimension.text.empty() ? dimension.where
+                                                     : "'" + dimension.text + "' of " + dimension.where);
+  }
+
+  // What its text says of the statement that a dimension makes first.
+  void state_text(Statement& statement, const AnchoredDimension& dimension, const DimensionsInView& view) {
+    const std::optional<StatedSize> size = stated_size(dimension, view);
+    if (!size) return;
+    statement.name = "'" + size->text + "' of " + statement.name;
+    double factor = 1 / part_.size;
+    if (dimension.type == DimensionType::diameter) factor /= 2;
+    if (dimension.type == DimensionType::angular) factor = -1 / degrees;
+    if (const std::optional<Vec3> along = measured_along(dimension, view))
+      factor = std::copysign(factor, glm::dot(dimension.points[1] - dimension.points[0], *along));
+    statement.more = factor * (size->stated - size->measured);
+    statement.slack = std::abs(factor) * size->slack;
+    if (std::abs(size->stated - size->measured) > size->slack * (1 + definition::same_size))
+      found_.untrue.push_back("'" + size->text + "' of " + dimension.where + ": the part has " +
+                              format_rounded(size->measured, 6));
+  }
+
+  void say(std::string name, std::vector<Row> rows, bool is_certain = true) {
+    std::erase_if(rows, [](const Row& row) { return row.empty(); });
+    if (!rows.empty()) found_.statements.push_back({std::move(name), std::move(rows), is_certain});
+  }
+
+  // Of "3×": for certain if there are no more than three things that it can mean.
+  void say_one_of(const std::string& name, std::vector<Candidate> candidates, int repeats) {
+    const bool is_certain = rank_of(candidates, all_faces()) <= repeats;
+    std::vector<Row> rows;
+    for (Candidate& candidate : candidates) rows.push_back(definition::tidy(std::move(candidate.row)));
+    say(name, std::move(rows), is_certain);
+  }
+
+  void read_overall(const AnchoredDimension& dimension) {
+    const int axis = axis_of(*dimension.direction);
+    const Vec3 along = Mat3(1)[axis];
+    say(dimension.where, measured_.lengths(dimension.points[0], dimension.points[1], along));
+  }
+
+  void read_length(const AnchoredDimension& dimension, const DimensionsInView& view) {
+    const std::optional<Vec3> along = measured_along(dimension, view);
+    if (!along) return;
+    const std::vector<Vec3>& points = dimension.points;
+    std::vector<Row> rows;
+    const bool is_chain = dimension.arrangement && *dimension.arrangement == DimensionArrangement::chain;
+    std::vector<Vec3> places = points;
+    if (is_chain)
+      std::sort(places.begin(), places.end(),
+                [&](const Vec3& a, const Vec3& b) { return glm::dot(a - b, *along) < 0; });
+    for (std::size_t i = 1; i < places.size(); ++i)
+      rows.push_back(measured_.length(places[is_chain ? i - 1 : 0], places[i], *along));
+    check(rows.size() + 1 == places.size(), "each place after the first one is measured");
+    const int repeats = repeats_of(dimension.text);
+    if (repeats > 1 && dimension.text.find('=') != std::string::npos)
+      for (int i = 1; i < repeats; ++i)
+        rows.push_back(measured_.length(points[0], points[0] + double(i) / repeats * (points[1] - points[0]), *along));
+    say(dimension.where, std::move(rows));
+    if (dimension.text.find("45°") != std::string::npos) say_chamfer(dimension, *along, view.projection.n);
+    if (dimension.text.find("45°") != std::string::npos ||
+        (repeats > 1 && dimension.text.find('=') == std::string::npos))
+      say_of_equal_lengths(dimension, *along);
+  }
+
+  // The note of a chamfer gives the length, and the angle to it.
+  void say_chamfer(const AnchoredDimension& dimension, const Vec3& along, const Vec3& sight) {
+    Row row = measured_.turn_of_leg(dimension.points[0], dimension.points[1], sight);
+    const int fixed = measured_.face_along(along);
+    if (row.empty() || fixed < 0) return;
+    definition::add(row, unknowns_.turn(fixed, sight), -1);
+    say(dimension.where, {definition::tidy(std::move(row))});
+  }
+
+  // Lengths of the same value, and slopes between them, wherever they are: as "4×" may say.
+  void say_of_equal_lengths(const AnchoredDimension& dimension, const Vec3& measured) {
+    const double value = std::abs(glm::dot(dimension.points[1] - dimension.points[0], measured));
+    std::vector<Row> rows;
+    const bool is_chamfer = dimension.text.find("45°") != std::string::npos;
+    int sloped = 0;
+    for (int face = 0; face < static_cast<int>(count_); ++face) {
+      const PartSurface& one = surface(face);
+      if (one.kind != SurfaceKind::plane && one.kind != SurfaceKind::cone) continue;
+      if (is_chamfer && !is_at_45_degrees(one)) continue;
+      std::vector<Vec3> points;  // not at corners, which other faces of the kind may hold as well
+      for (const definition::Contact& contact : part_.contacts)
+        if (contact.faces[0] == face || contact.faces[1] == face) {
+          const bool is_straight = std::all_of(contact.faces.begin(), contact.faces.end(),
+                                               [&](int other) { return surface(other).kind == SurfaceKind::plane; });
+          points.push_back(is_straight ? surfaces::mean_of(contact.points) : contact.points.front());
+        }
+      const std::size_t before = rows.size();
+      for (int axis = 0; axis < 3; ++axis)
+        for (std::size_t i = 1; i < points.size() && measured_.face_along(Mat3(1)[axis]) >= 0; ++i)
+          for (std::size_t j = 0; j < i; ++j)
+            if (agree(std::abs(points[i][axis] - points[j][axis]), value))
+              rows.push_back(measured_.length(points[j], points[i], Mat3(1)[axis]));
+      if (rows.size() == before) continue;
+      add_turns(rows, face);
+      ++sloped;
+    }
+    say(dimension.where, std::move(rows), is_chamfer && sloped <= repeats_of(dimension.text));
+    if (!is_chamfer) say_of_equal_widths(dimension, value);
+    for (int face = 0; face < static_cast<int>(count_); ++face)
+      for (int other = 0; other < face; ++other)
+        if (surface(face).kind == SurfaceKind::cylinder && surface(other).kind == SurfaceKind::cylinder &&
+            features::are_parallel(surface(face).axis, surface(other).axis)) {
+          const Vec3 off = unknowns_.anchor(face) - unknowns_.anchor(other);
+          const Vec3 across = off - glm::dot(off, surface(face).axis) * surface(face).axis;
+          if (!agree(glm::length(across), value)) continue;
+          const Vec3 at = unknowns_.anchor(other) + across;
+          say(dimension.where,
+              {definition::length(unknowns_, part_,
+                                  {End{unknowns_.anchor(other), {other}, true}, End{at, {face}, true}},
+                                  glm::normalize(across), -1)},
+              false);
+        }
+  }
+
+  // Equal widths of turned rectangles. Where each of these is, their centre lines may say.
+  void say_of_equal_widths(const AnchoredDimension& dimension, double width) {
+    std::vector<Row> rows, places;
+    for (int face = 0; face < static_cast<int>(count_); ++face)
+      for (int other = 0; other < face; ++other) {
+        const Vec3& normal = surface(face).axis;
+        const bool is_turned =
+            std::max({std::abs(normal.x), std::abs(normal.y), std::abs(normal.z)}) < 1 - features::parallel;
+        if (!is_turned || surface(face).kind != SurfaceKind::plane || surface(other).kind != SurfaceKind::plane ||
+            directions_.of_face[static_cast<std::size_t>(face)] != directions_.of_face[static_cast<std::size_t>(other)])
+          continue;
+        const Vec3 &from = unknowns_.anchor(other), &to = unknowns_.anchor(face);
+        const double off = glm::dot(to - from, normal);
+        if (!agree(std::abs(off), width)) continue;
+        rows.push_back(definition::length(unknowns_, part_, {End{from, {other}}, End{to, {face}}}, normal, -1));
+        for (const int side : {face, other})
+          places.push_back(unknowns_.surface_motion(side, unknowns_.anchor(side), surface(side).axis));
+      }
+    check(places.size() == 2 * rows.size(), "each width has two sides");
+    const auto pairs = static_cast<int>(rows.size());
+    if (pairs < 2) return;
+    say(dimension.where, std::move(rows), pairs <= repeats_of(dimension.text));
+    say(dimension.where, std::move(places), false);
+  }
+
+  // What a table says of a hole beside its place: sizes and depths around its axis. Its text is not read.
+  void say_by_table(const AnchoredDimension& dimension, const WorldCircle& circle) {
+    std::vector<Row> rows;
+    for (int face = 0; face < static_cast<int>(count_); ++face)
+      for (const UnknownKind size : {UnknownKind::radius, UnknownKind::angle})
+        if (measured_.is_around(face, circle)) rows.push_back(unknowns_.growth(face, size));
+    const std::vector<Vec3> rims = rims_around(circle);
+    for (const Vec3& rim : rims) rows.push_back(measured_.length(rims.front(), rim, circle.axis));
+    say(dimension.where, std::move(rows), false);
+  }
+
+  // All angles of a face.
+  void add_turns(std::vector<Row>& rows, int face) const {
+    for (int axis = 0; axis < 3; ++axis) {
+      Row row = unknowns_.turn(face, Mat3(1)[axis]);
+      const int fixed = measured_.face_along(Mat3(1)[(axis + 1) % 3]);
+      if (fixed < 0) continue;
+      definition::add(row, unknowns_.turn(fixed, Mat3(1)[axis]), -1);
+      rows.push_back(definition::tidy(std::move(row)));
+    }
+    rows.push_back(unknowns_.growth(face, UnknownKind::angle));
+  }
+
+  void read_angle(const AnchoredDimension& dimension) {
+    const std::vector<Vec3>& at = dimension.points;
+    const Vec3 across = glm::cross(at[1] - at[0], at[2] - at[0]);
+    if (!(glm::length(across) > 0)) return;
+    const Vec3 sight = glm::normalize(across);
+    Row row = measured_.turn_of_leg(at[0], at[1], sight);
+    const Row other = measured_.turn_of_leg(at[0], at[2], sight);
+    if (!row.empty() && !other.empty()) {
+      definition::add(row, other, -1);
+      say(dimension.where, {definition::tidy(std::move(row))});
+    }
+    if (const int repeats = repeats_of(dimension.text); repeats > 1) {
+      const double cosine = glm::dot(glm::normalize(at[1] - at[0]), glm::normalize(at[2] - at[0]));
+      say_one_of(dimension.where, equal_angles(std::acos(cosine)), repeats);
+      say_one_of(dimension.where, equal_angles_about(dimension, sight, std::acos(cosine)), repeats);
+    }
+  }
+
+  // Between directions of faces; of cones.
+  [[nodiscard]] std::vector<Candidate> equal_angles(double angle) const {
+    const auto is_it = [&](double one) { return std::abs(one - angle) <= size_agrees; };
+    std::vector<Candidate> found;
+    for (std::size_t i = 0; i < directions_.directions.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const Vec3 &a = directions_.directions[i], &b = directions_.directions[j];
+        const double between = std::acos(std::clamp(std::abs(glm::dot(a, b)), 0.0, 1.0));
+        if (!is_it(between) && !is_it(full_turn / 4 - between) && !is_it(full_turn / 2 - between)) continue;
+        const Vec3 about = glm::normalize(glm::cross(a, b));
+        Row row = unknowns_.turn(directions_.first_face[i], about);
+        definition::add(row, unknowns_.turn(directions_.first_face[j], about), -1);
+        found.push_back({std::move(row), directions_.first_face[i], directions_.first_face[j]});
+      }
+    for (int face = 0; face < all_faces(); ++face) {
+      const double half = std::atan(std::abs(surface(face).slope));
+      if (surface(face).kind == SurfaceKind::cone && (is_it(half) || is_it(2 * half) || is_it(full_turn / 4 - half)))
+        found.push_back({unknowns_.growth(face, UnknownKind::angle), face, -1});
+    }
+    check(std::all_of(found.begin(), found.end(), [](const Candidate& one) { return one.one != one.other; }),
+          "an angle is between two");
+    return found;
+  }
+
+  // Between axes on one circle, and from these to centre lines.
+  [[nodiscard]] std::vector<Candidate> equal_angles_about(const AnchoredDimension& dimension, const Vec3& sight,
+                                                          double angle) const {
+    const Vec3& corner = dimension.points[0];
+    const double radius = glm::distance(corner, dimension.points[2]);
+    std::vector<int> axes;
+    std::vector<Vec3> legs;
+    for (int face = 0; face < static_cast<int>(count_); ++face) {
+      const PartSurface& one = surface(face);
+      if (one.kind != SurfaceKind::cylinder || !features::are_parallel(one.axis, sight)) continue;
+      const Vec3 off = one.origin - corner, across = off - glm::dot(off, sight) * sight;
+      if (std::abs(glm::length(across) - radius) > slack_ || measured_.axis_through(corner + across, sight) != face)
+        continue;
+      axes.push_back(face);
+      legs.push_back(across);
+    }
+    check(axes.size() == legs.size(), "each axis has its leg");
+    const std::size_t count = axes.size();
+    const Vec3 first = glm::normalize(dimension.points[1] - corner);
+    for (const Vec3& fixed : {first, -first, glm::cross(sight, first), -glm::cross(sight, first)})
+      if (measured_.face_along(fixed) >= 0) legs.push_back(radius * fixed);
+    std::vector<Candidate> found;
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = i + 1; j < legs.size(); ++j) {
+        const double cosine = glm::dot(glm::normalize(legs[i]), glm::normalize(legs[j]));
+        if (std::abs(std::acos(std::clamp(cosine, -1.0, 1.0)) - angle) > size_agrees) continue;
+        Row row = measured_.turn_of_leg(corner, corner + legs[i], sight);
+        const Row other = measured_.turn_of_leg(corner, corner + legs[j], sight);
+        if (row.empty() || other.empty()) continue;
+        definition::add(row, other, -1);
+        found.push_back({std::move(row), axes[i], j < count ? axes[j] : -1});
+      }
+    return found;
+  }
+
+  void read_circle(const AnchoredDimension& dimension) {
+    const int repeats = repeats_of(dimension.text);
+    std::vector<Row> own, equal;
+    std::vector<int> lines;  // the first faces of axes with that diameter
+    for (const WorldCircle& circle : dimension.circles)
+      for (int face = 0; face < all_faces(); ++face) {
+        Row row = measured_.size(face, circle.radius);
+        if (row.empty()) continue;
+        // A dimension of a radius gives those of all fillets that are equal on paper.
+        (measured_.is_around(face, circle) ? own : equal).push_back(std::move(row));
+        if (!features::are_parallel(surface(face).axis, circle.axis)) continue;
+        if (const int line = measured_.axis_through(unknowns_.anchor(face), circle.axis);
+            std::find(lines.begin(), lines.end(), line) == lines.end())
+          lines.push_back(line);
+      }
+    for (const WorldCircle& circle : dimension.circles) {
+      Row rim = measured_.rim(circle);
+      for (definition::Term& term : rim) term.factor /= 2;  // as that of a radius
+      own.push_back(std::move(rim));
+      if (dimension.is_label)
+        for (int axis = 0; axis < 3; ++axis)
+          if (std::abs(circle.axis[axis]) <= features::parallel) say_place(dimension.where, circle.centre, axis);
+    }
+    say(dimension.where, std::move(own));
+    if (dimension.is_label)
+      for (const WorldCircle& circle : dimension.circles) say_by_table(dimension, circle);
+    const bool is_radius = dimension.type == DimensionType::radius;
+    if (is_radius || repeats > 1)
+      say(dimension.where, std::move(equal), is_radius || static_cast<int>(lines.size()) <= repeats);
+    if (!dimension.circles.empty()) read_note(dimension);
+  }
+
+  // A table gives places from one end of the models, where a plane or the axis of the whole is.
+  void say_place(const std::string& name, const Vec3& centre, int axis) {
+    const Vec3 along = Mat3(1)[axis];
+    std::optional<Vec3> from;
+    for (std::size_t i = 0; i < count_; ++i)
+      if (const PartSurface& one = part_.faces[i].surface; one.kind == SurfaceKind::plane &&
+                                                           features::are_parallel(one.axis, along) &&
+                                                           (!from || (*from)[axis] > one.origin[axis]))
+        from = one.origin;
+    if (from) say(name, {measured_.length(*from, centre, along)});
+  }
+
+  // What stands behind a diameter: depths, counterbores, countersinks and threads of faces around the axis, and for
+  // "4×" around all axes with the same circle. Nothing else than its size tells which face a number means.
+  void read_note(const AnchoredDimension& dimension) {
+    const std::vector<double> numbers = numbers_in(dimension.text);
+    const std::vector<WorldCircle> circles = equal_circles(dimension);
+    const bool are_all = static_cast<int>(circles.size()) <= repeats_of(dimension.text);
+    for (const WorldCircle& one : circles) {
+      for (const double number : numbers) {
+        std::vector<Row> rows;
+        add_depths(rows, one, number);
+        add_sizes(rows, one, number);
+        const bool is_only = rows.size() == 1;
+        say(dimension.where, std::move(rows), are_all && is_only);
+      }
+      std::vector<Row> rows;
+      if (dimension.text.find('M') != std::string::npos || dimension.text.find('G') != std::string::npos)
+        add_thread(rows, one);
+      say(dimension.where, std::move(rows), false);
+    }
+  }
+
+  // The circle of a dimension, and for "4×" those about other axes: of the same size, or if there are none, of any.
+  [[nodiscard]] std::vector<WorldCircle> equal_circles(const AnchoredDimension& dimension) const {
+    const WorldCircle& circle = dimension.circles.front();
+    std::vector<WorldCircle> equal{circle}, any{circle};
+    for (int face = 0; face < static_cast<int>(count_) && repeats_of(dimension.text) > 1; ++face) {
+      const PartSurface& one = surface(face);
+      if (one.kind != SurfaceKind::cylinder) continue;
+      const auto is_new = [&](const std::vector<WorldCircle>& list) {
+        return std::none_of(list.begin(), list.end(),
+                            [&](const WorldCircle& known) { return measured_.is_around(face, known); });
+      };
+      const WorldCircle own{one.origin, one.axis, one.radius, {}, true};
+      if (is_new(equal) && measured_.are_alike(one.radius, circle.radius) &&
+          features::are_parallel(one.axis, circle.axis))
+        equal.push_back(own);
+      if (is_new(any)) any.push_back(own);
+    }
+    check(any.size() >= equal.size(), "those of the same size are some of all");
+    return equal.size() > 1 ? equal : any;
+  }
+
+  [[nodiscard]] std::vector<Vec3> rims_around(const WorldCircle& circle) const {
+    std::vector<Vec3> rims;
+    for (const definition::Contact& contact : part_.contacts)
+      if (measured_.is_around(contact.faces[0], circle) || measured_.is_around(contact.faces[1], circle))
+        rims.insert(rims.end(), contact.points.begin(), contact.points.end());
+    return rims;
+  }
+
+  void add_depths(std::vector<Row>& rows, const WorldCircle& circle, double depth) const {
+    const std::vector<Vec3> rims = rims_around(circle);
+    std::vector<double> done;
+    for (std::size_t i = 0; i < rims.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        const double off = std::abs(glm::dot(rims[i] - rims[j], circle.axis)),
+                     at = glm::dot(rims[i] + rims[j], circle.axis);
+        const bool is_done =
+            std::any_of(done.begin(), done.end(), [&](double one) { return std::abs(one - at) <= slack_; });
+        if (!measured_.are_alike(off, depth) || is_done) continue;
+        if (Row row = measured_.length(rims[j], rims[i], circle.axis); !row.empty()) rows.push_back(std::move(row));
+        done.push_back(at);
+      }
+  }
+
+  void add_sizes(std::vector<Row>& rows, const WorldCircle& circle, double number) const {
+    for (int face = 0; face < static_cast<int>(count_); ++face) {
+      if (!measured_.is_around(face, circle)) continue;
+      if (Row row = measured_.size(face, number / 2); !row.empty()) rows.push_back(std::move(row));
+      if (surface(face).kind != SurfaceKind::cone) continue;
+      const double half = std::atan(std::abs(surface(face).slope)) * degrees;
+      if (measured_.are_alike(2 * half, number) || measured_.are_alike(half, number))
+        rows.push_back(unknowns_.growth(face, UnknownKind::angle));
+      for (const Vec3& rim : rims_around(circle))
+        if (measured_.are_alike(2 * features::distance_from_line(rim, circle.centre, circle.axis), number))
+          rows.push_back(measured_.rim({circle.centre + glm::dot(rim - circle.centre, circle.axis) * circle.axis,
+                                        circle.axis,
+                                        number / 2,
+                                        {},
+                                        true}));
+    }
+  }
+
+  // A standard thread gives the hole that is drilled for it, and its point.
+  void add_thread(std::vector<Row>& rows, const WorldCircle& circle) const {
+    constexpr double core = 0.7;  // of the diameter, at least
+    for (int face = 0; face < static_cast<int>(count_); ++face)
+      if (const PartSurface& one = surface(face);
+          measured_.is_around(face, circle) && one.radius >= core * circle.radius)
+        rows.push_back(unknowns_.growth(face, UnknownKind::radius));
+  }
+
+  const definition::Part& part_;
+  std::size_t count_;  // of faces of the model
+  const definition::Directions& directions_;
+  const definition::Unknowns& unknowns_;
+  MeasuredFaces measured_;
+  double slack_;
+  FaceStatements found_;
+};
+
+}  // namespace
+
+FaceStatements state_dimensions(std::span<const DimensionsInView> views, const DrawnPart& drawn,
+                                const definition::Directions& directions, const definition::Unknowns& unknowns,
+                                const Notation& notation) {
+  return Reader(drawn, directions, unknowns, notation).read(views);
+}
+
+}  // namespace epura::sheet

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sizes/round_ends.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+
+#include "base/error.hpp"
+#include "base/portable_math.hpp"
+#include "features/plane_faces.hpp"
+#include "features/tolerances.hpp"
+#include "world/placed_part.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+constexpr double slack_degrees = 0.5;  // of the ends of an arc, which are vertices of its facets
+
+double degrees_between(const Vec3& a, const Vec3& b) {
+  return portable_atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180 / std::numbers::pi;
+}
+
+bool is_half_turn(double half) { return half >= 90 - slack_degrees; }
+
+bool has_hole(const features::PartFeatures& features, const RoundEnd& end) {
+  const auto is_around = [&end](const Vec3& point, const Vec3& axis) {
+    return features::are_parallel(axis, end.axis) &&
+           features::distance_from_line(point, end.centre, end.axis) <= 10 * features::same_size * end.radius;
+  };
+  return std::any_of(features.holes.begin(), features.holes.end(),
+                     [&](const features::HoleFeature& hole) { return is_around(hole.mouth, hole.axis); }) ||
+         std::any_of(features.cylinders.begin(), features.cylinders.end(), [&](const features::CylinderFeature& one) {
+           return one.inwards && is_around(one.from, one.axis);
+         });
+}
+
+RoundEnd end_of(const features::ArcFeature& arc, int number) {
+  check(arc.points.size() == 9, "an arc has its ends and its middle");
+  const Vec3 middle = (arc.points[4] - arc.centre) / arc.radius;
+  const double half = degrees_between(middle, (arc.points[0] - arc.centre) / arc.radius);
+  return {arc.centre, arc.axis, arc.radius, middle, half, number};
+}
+
+bool is_face_of(const surfaces::PartFace& face, const features::ArcFeature& arc) {
+  return face.surface.kind == surfaces::SurfaceKind::cylinder && face.inwards &&
+         features::are_same(face.surface.radius, arc.radius) && features::are_parallel(face.surface.axis, arc.axis) &&
+         features::distance_from_line(arc.centre, face.surface.origin, face.surface.axis) <=
+             10 * features::same_size * arc.radius;
+}
+
+}  // namespace
+
+bool RoundEnd::bulges(int along, int side) const {
+  return degrees_between(middle, (side == 0 ? -1.0 : 1.0) * Mat3(1)[along]) <= half - slack_degrees;
+}
+
+bool RoundEnd::has_side(int along, int side) const {
+  return is_tangent && std::abs(axis[along]) <= features::parallel && !bulges(along, side) &&
+         degrees_between(middle, (side == 0 ? -1.0 : 1.0) * Mat3(1)[along]) <= half + slack_degrees;
+}
+
+bool RoundEnd::ends_models(int along, int side, const features::Extent& extent) const {
+  check(along >= 0 && along < 3 && (side == 0 || side == 1), "the models have two ends along each axis");
+  if (extent.form != features::ExtentForm::length || std::abs(axis[along]) > features::parallel) return false;
+  const double way = side == 0 ? -1 : 1, end = side == 0 ? extent.from : extent.to;
+  if (std::abs(centre[along] + way * radius - end) > 10 * features::same_size * radius) return false;
+  // A rounded corner of the part ends where it touches the faces beside it.
+  return bulges(along, side) ||
+         (is_half_turn(half) && degrees_between(middle, way * Mat3(1)[along]) <= half + slack_degrees);
+}
+
+std::vector<RoundEnd> find_round_ends(const features::PartFeatures& features) {
+  std::vector<RoundEnd> ends;
+  for (std::size_t i = 0; i < features.arcs.size(); ++i) {
+    if (features.arcs[i].inwards) continue;
+    const RoundEnd end = end_of(features.arcs[i], static_cast<int>(i));
+    if (is_half_turn(end.half) || has_hole(features, end)) ends.push_back(end);
+  }
+  return ends;
+}
+
+std::vector<RoundEnd> find_channels(const DimensionSubject& subject) {
+  const std::vector<features::ArcFeature>& arcs = subject.features.arcs;
+  std::vector<RoundEnd> channels;
+  for (std::size_t model = 0; model < subject.world.models.size() && !arcs.empty(); ++model) {
+    const world::Placed& placed = subject.world.models[model];
+    const auto part = placed.part == nullptr ? std::nullopt : world::place_part(placed);
+    if (!part) continue;
+    const auto borders = features::borders_of_faces(placed);
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      if (!arcs[i].inwards || arcs[i].model != static_cast<int>(model)) continue;
+      const auto face = std::find_if(part->faces.begin(), part->faces.end(),
+                                     [&](const surfaces::PartFace& one) { return is_face_of(one, arcs[i]); });
+      if (face == part->faces.end()) continue;
+      check(borders.size() == part->faces.size(), "each face has its borders");
+      const auto& beside = borders[static_cast<std::size_t>(face - part->faces.begin())];
+      RoundEnd channel = end_of(arcs[i], static_cast<int>(i));
+      channel.is_tangent =
+          std::any_of(beside.begin(), beside.end(), [](const features::FaceBorder& one) { return one.tangent; });
+      if (!channel.is_tangent || is_half_turn(channel.half)) channels.push_back(channel);
+    }
+  }
+  return channels;
+}
+
+const RoundEnd* end_along(std::span<const RoundEnd> ends, int axis, int side, const features::Extent& extent) {
+  for (const RoundEnd& end : ends)
+    if (end.ends_models(axis, side, extent)) return &end;
+  return nullptr;
+}
+
+}  // namespace epura::sheet

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sizes/slope_dimensions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "features/tolerances.hpp"
+#include "sizes/equal_features.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+using features::are_same;
+using features::BevelFeature;
+using scene::DimensionDescription;
+
+bool are_equal_chamfers(const BevelFeature& a, const BevelFeature& b) {
+  return a.model == b.model && a.along == b.along && are_same(a.leg(), b.leg());
+}
+
+// Beyond the models along an axis across the slope.
+bool is_outside(const BevelFeature& slope, std::size_t end, const DimensionSubject& subject) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const features::Extent& extent = subject.extents[static_cast<std::size_t>(axis)];
+    const double at = slope.ends[end][axis], slack = features::same_size * extent.size();
+    if (axis != slope.along && (at < extent.from - slack || at > extent.to + slack)) return true;
+  }
+  return false;
+}
+
+// The corner, and the ends of its legs: along its neighbour, which the material lies behind, and along the slope.
+std::array<Vec3, 3> anchors_of_angle(const BevelFeature& slope, const DimensionSubject& subject) {
+  const bool first = slope.across[0] >= 0 && (slope.across[1] < 0 || is_outside(slope, 0, subject));
+  const std::size_t end = first ? 0 : 1;
+  check(slope.across[end] >= 0, "a slope has a neighbour that is perpendicular to an axis of the world");
+  const int axis = 3 - slope.along - slope.across[end];
+  const Vec3 corner = slope.ends[end], side = slope.ends[1 - end] - corner;
+  const double way = slope.normal[axis] > 0 ? -1 : 1;
+  return {corner, corner + way * glm::length(side) * Mat3(1)[axis], corner + side};
+}
+
+// With those at the flats of a hexagon that lean against the axes of the world.
+std::size_t count_chamfers(const Planning& plan, const std::vector<const BevelFeature*>& group) {
+  std::size_t count = group.size();
+  for (const HexagonChamfer& one : plan.table.hexagon_chamfers) {
+    const BevelFeature& like = plan.subject.features.bevels[static_cast<std::size_t>(one.bevel)];
+    for (const BevelFeature* bevel : group)
+      if (bevel->model == like.model && bevel->face == like.face) ++count;
+  }
+  return count;
+}
+
+Planned dimensions_of_chamfers(const Planning& plan, const std::vector<BevelFeature>& chamfers) {
+  Planned planned;
+  const Vec3 size = plan.box.size();
+  const double least = min_radius * std::max({size.x, size.y, size.z});
+  for (const auto& group : groups_of<BevelFeature>(chamfers, are_equal_chamfers)) {
+    const NamedProjection* view = plan.views.along(Mat3(1)[group.front()->along]);
+    if (view == nullptr || group.front()->leg() < least) continue;
+    const auto* shown = uppermost<BevelFeature>(
+        group, *view, [](const BevelFeature& one) { return (one.ends[0] + one.ends[1]) / 2.0; });
+    DimensionDescription dimension =
+        plan.dimension(DimensionType::linear, *view, times(count_chamfers(plan, group)) + "<>×45°");
+    dimension.direction = {DimensionDirection::horizontal, plan.wanted.where};
+    for (const Vec3& end : shown->ends) dimension.anchors.emplace_back(end);
+    check(shown->leg() > 0, "a chamfer has a width");
+    planned.dimensions.push_back(std::move(dimension));
+    // The other ends are on the faces at the corner.
+    for (const BevelFeature* chamfer : group)
+      for (const int end : {0, 1})
+        planned.places.emplace_back(KnownPlace{chamfer->across[end], chamfer->ends[1 - end][chamfer->across[end]]});
+  }
+  return planned;
+}
+
+}  // namespace
+
+bool has_angle(const BevelFeature& slope, const DimensionSubject& subject) {
+  return is_outside(slope, 0, subject) || is_outside(slope, 1, subject);
+}
+
+bool is_angle_of(const AnchoredDimension& dimension, const BevelFeature& slope) {
+  if (dimension.type != DimensionType::angular) return false;
+  check(dimension.points.size() == 3, "an angle has a corner and two legs");
+  const Vec3 side = slope.ends[1] - slope.ends[0], corner = dimension.points[0];
+  const double off = glm::dot(corner - slope.ends[0], slope.normal);
+  if (std::abs(off) > 10 * features::same_size * glm::length(side)) return false;
+  const std::array<Vec3, 2> legs{glm::normalize(dimension.points[1] - corner),
+                                 glm::normalize(dimension.points[2] - corner)};
+  for (const std::size_t leg : {0U, 1U})
+    if (features::are_parallel(legs[leg], glm::normalize(side)) && features::axis_along(legs[1 - leg]) >= 0)
+      return true;
+  return false;
+}
+
+bool are_equal(const BevelFeature& a, const BevelFeature& b) {
+  return a.model == b.model && a.along == b.along && features::are_parallel(glm::abs(a.normal), glm::abs(b.normal));
+}
+
+Planned slope_dimensions(const Planning& plan) {
+  std::vector<BevelFeature> chamfers, slopes;
+  for (const BevelFeature& bevel : plan.subject.features.bevels) {
+    check(bevel.along >= 0 && bevel.along < 3 && bevel.area > 0, "a slope has an axis and an area");
+    (bevel.is_chamfer ? chamfers : slopes).push_back(bevel);
+  }
+  Planned planned = dimensions_of_chamfers(plan, chamfers);
+  std::stable_sort(slopes.begin(), slopes.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
+  for (std::size_t i = 0; i < std::min(slopes.size(), max_of_a_kind); ++i) {
+    const NamedProjection* view = plan.views.along(Mat3(1)[slopes[i].along]);
+    if (view == nullptr || slopes[i].area < min_area(plan.box)) continue;
+    if (has_angle(slopes[i], plan.subject)) {
+      planned.dimensions.push_back(plan.dimension(DimensionType::angular, *view, "<>"));
+      for (const Vec3& anchor : anchors_of_angle(slopes[i], plan.subject))
+        planned.dimensions.back().anchors.emplace_back(anchor);
+      continue;
+    }
+    for (int axis = 0; axis < 3; ++axis)
+      for (const Vec3& end : slopes[i].ends)
+        if (axis != slopes[i].along) planned.places.emplace_back(Coordinate{view, axis, end[axis], end, -1, end});
+  }
+  return planned;
+}
+
+namespace {
+
+using features::are_parallel;
+
+// Corners of a step where a view shows them.
+std::vector<Vec3> points_shown(const features::LevelFeature& level, const NamedProjection& view) {
+  std::vector<Vec3> points;
+  for (const Vec3& point : level.points)
+    if (const auto shown = shown_point(view, point)) points.push_back(*shown);
+  return points;
+}
+
+// The view in which a step is nearest to the viewer, so that little can hide it; the first one of several. Otherwise
+// the first aligned section that shows it.
+const NamedProjection* view_of_level(const features::LevelFeature& level, const ViewChoice& views,
+                                     const std::vector<Vec3>& all_points, double slack) {
+  check(level.axis >= 0 && level.axis < 3 && !level.points.empty(), "a step has an axis and corners");
+  const Vec3 axis = Mat3(1)[level.axis];
+  const NamedProjection* best = nullptr;
+  double least = HUGE_VAL;
+  for (const NamedProjection* view : views.all()) {
+    const projection::Projection& projection = view->projection;
+    if (!are_parallel(projection.u, axis) && !are_parallel(projection.v, axis)) continue;
+    const auto depth = [&](const Vec3& p) { return glm::dot(p, projection.n); };
+    double front = -HUGE_VAL, nearest = -HUGE_VAL;
+    for (const Vec3& p : all_points) front = std::max(front, depth(p));
+    for (const Vec3& p : level.points) nearest = std::max(nearest, depth(p));
+    const double behind = front - nearest;
+    if (best != nullptr && behind >= least - slack) continue;
+    best = view;
+    least = behind;
+  }
+  if (best != nullptr) return best;
+  for (const NamedProjection* view : views.aligned())
+    if (keeps_positions(*view, level.axis) && !points_shown(level, *view).empty()) return view;
+  return nullptr;
+}
+
+}  // namespace
+
+double min_area(const Box& box) {
+  const Vec3 size = box.size();
+  const double largest = std::max({size.x, size.y, size.z}), least = std::min({size.x, size.y, size.z});
+  return min_level * largest * (size.x + size.y + size.z - largest - least);
+}
+
+std::vector<Coordinate> level_coordinates(const DimensionSubject& subject, const ViewChoice& views,
+                                          const Coordinates& known) {
+  const Box box = features::box_of_faces(subject.world);
+  const std::vector<Vec3> all_points = features::points_of_faces(subject.world);
+  const double slack = features::same_size * glm::length(box.size());
+  std::map<std::pair<std::string, int>, std::vector<std::pair<double, Coordinate>>> by_view;
+  for (const features::LevelFeature& level : subject.features.levels) {
+    const NamedProjection* view = view_of_level(level, views, all_points, slack);
+    if (view == nullptr || known.is_known(level.axis, level.at) || level.area < min_area(box)) continue;
+    const bool horizontal = std::abs(view->projection.u[level.axis]) > 0.5;
+    const Vec3 towards = horizontal ? -view->projection.v : view->projection.u;
+    const std::vector<Vec3> points = points_shown(level, *view);
+    const auto [high, low] = std::minmax_element(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) {
+      return glm::dot(a, towards) < glm::dot(b, towards);
+    });
+    by_view[{view->name, level.axis}].emplace_back(
+        -level.area, Coordinate{view, level.axis, level.at, *low, -1, *high, level.other_side, level.partner});
+  }
+  std::vector<Coordinate> coordinates;
+  for (auto& [key, levels] : by_view) {
+    check(!levels.empty(), "a view has the steps for which it was chosen");
+    std::stable_sort(levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t i = 0; i < std::min(levels.size(), max_levels); ++i) coordinates.push_back(levels[i].second);
+  }
+  return coordinates;
+}
+
+}  // namespace epura::sheet

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dimensions of plane faces that are perpendicular to no axis of the world.
+#pragma once
+
+#include <vector>
+
+#include "sizes/anchors.hpp"
+#include "sizes/coordinates.hpp"
+#include "sizes/planning.hpp"
+#include "sizes/view_choice.hpp"
+
+namespace epura::sheet {
+
+/// Whether an angle stands for the places of the ends of a slope: where a rounded corner ends the models, there is
+/// nothing to measure to.
+bool has_angle(const features::BevelFeature& slope, const DimensionSubject& subject);
+
+/// Whether a dimension is the angle between a slope and an axis of the world.
+bool is_angle_of(const AnchoredDimension& dimension, const features::BevelFeature& slope);
+
+/// Whether the angle of one slope can stand for that of the other, as in "2× 60°".
+bool are_equal(const features::BevelFeature& a, const features::BevelFeature& b);
+
+/// Chamfered corners have a note; other slopes have an angle or the positions of their ends, those of the largest ones
+/// first.
+Planned slope_dimensions(const Planning& plan);
+
+/// The area below which a face is no step or slope to be dimensioned, for models in a box.
+double min_area(const Box& box);
+
+/// Places of the steps that are not known yet, at most `max_levels` along one axis in a view, the largest ones.
+std::vector<Coordinate> level_coordinates(const DimensionSubject& subject, const ViewChoice& views,
+                                          const Coordinates& known);
+
+}  // namespace epura::sheet

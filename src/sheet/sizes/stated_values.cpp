@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sizes/stated_values.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "sizes/equal_features.hpp"
+#include "sizes/place_joins.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+struct Number {
+  double value;
+  int decimals;
+};
+
+// The one number of a text; nothing if it says more.
+std::optional<Number> only_number(std::string text) {
+  constexpr std::string_view times = "×";
+  if (repeats_of(text) > 1) text.erase(0, text.find(times) + times.size());
+  std::replace(text.begin(), text.end(), ',', '.');
+  for (const std::string_view sign : {" ", "S", "⌀", "R", "□"})
+    while (text.starts_with(sign)) text.erase(0, sign.size());
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc()) return std::nullopt;
+  const std::string_view number(text.data(), static_cast<std::size_t>(end - text.data()));
+  std::string_view rest(end, static_cast<std::size_t>(text.data() + text.size() - end));
+  if (rest.starts_with("°")) rest.remove_prefix(std::string_view("°").size());
+  while (rest.starts_with(" ")) rest.remove_prefix(1);
+  if (!rest.empty() && !rest.starts_with("±")) return std::nullopt;
+  const std::size_t point = number.find('.');
+  return Number{value, point == std::string_view::npos ? 0 : static_cast<int>(number.size() - point - 1)};
+}
+
+// Millimetres or degrees.
+std::optional<double> measured_size(const AnchoredDimension& dimension, const DimensionsInView& view) {
+  const std::vector<Vec3>& at = dimension.points;
+  if (dimension.arrangement) return std::nullopt;
+  if (dimension.type == DimensionType::overall)
+    return std::abs((at[1] - at[0])[axis_of(*dimension.direction)]) + dimension.beyond_vertices;
+  if (const std::optional<Vec3> along = measured_along(dimension, view))
+    return std::abs(glm::dot(at[1] - at[0], *along)) + dimension.beyond_vertices;
+  if (dimension.type == DimensionType::angular) {
+    const double cosine = glm::dot(glm::normalize(at[1] - at[0]), glm::normalize(at[2] - at[0]));
+    return std::acos(std::clamp(cosine, -1.0, 1.0)) * degrees;
+  }
+  const bool is_diameter = dimension.type == DimensionType::diameter;
+  if (!is_diameter && dimension.type != DimensionType::radius) return std::nullopt;
+  check(!dimension.circles.empty(), "a radius or diameter is that of a circle");
+  return (is_diameter ? 2 : 1) * dimension.circles.front().radius;
+}
+
+}  // namespace
+
+std::optional<StatedSize> stated_size(const AnchoredDimension& dimension, const DimensionsInView& view) {
+  std::optional<Number> number = only_number(dimension.text);
+  if (!number && dimension.stated) number = Number{dimension.stated->value, dimension.stated->decimals};
+  const std::optional<double> measured = measured_size(dimension, view);
+  if (!number || !measured) return std::nullopt;
+  const std::string text = dimension.text.empty() ? std::to_string(number->value) : dimension.text;
+  return StatedSize{number->value, *measured, std::pow(10.0, -number->decimals) / 2, text};
+}
+
+}  // namespace epura::sheet

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a text states instead of the measured value.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sizes/coverage.hpp"
+
+namespace epura::sheet {
+
+/// Lengths, radii and diameters in mm, angles in degrees.
+struct StatedSize {
+  double stated, measured;
+  double slack;      ///< half a unit of its last digit
+  std::string text;  ///< as it is written
+};
+
+/// The value of a text that is one number, with its count, sign and tolerance or without; and what the part has there.
+/// Nothing for texts that stand for the measured value, and for those that say more, as notes and chamfers do.
+std::optional<StatedSize> stated_size(const AnchoredDimension& dimension, const DimensionsInView& view);
+
+}  // namespace epura::sheet

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sizes/turned_coverage.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "base/error.hpp"
+#include "base/text.hpp"
+#include "features/tolerances.hpp"
+#include "sizes/equal_features.hpp"
+#include "sizes/hole_angles.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+using features::are_parallel;
+using features::same_size;
+
+// Whether a length along a slope begins or ends at a place.
+bool measures(const AnchoredDimension& dimension, const Vec3& along, const Vec3& place, double slack) {
+  if (dimension.type != DimensionType::aligned) return false;
+  check(dimension.points.size() == 2, "an aligned dimension has two ends");
+  const Vec3 span = dimension.points[1] - dimension.points[0];
+  if (!(glm::length(span) > 0) || !are_parallel(glm::normalize(span), along)) return false;
+  const auto at = [&](const Vec3& p) { return glm::dot(p, along); };
+  // A row "3× 20 (=60)" has places between its ends.
+  const int parts = dimension.text.find('=') == std::string::npos ? 1 : repeats_of(dimension.text);
+  for (int i = 0; i <= parts; ++i)
+    if (std::abs(at(dimension.points[0] + (double(i) / parts) * span) - at(place)) <= slack) return true;
+  return false;
+}
+
+class TurnedFinder {
+ public:
+  TurnedFinder(std::span<const DimensionsInView> views, const DimensionSubject& subject, const FeatureTable& table,
+               const SizesOnSheet& on_sheet, const Notation& notation)
+      : views_(views),
+        features_(subject.features),
+        table_(table),
+        on_sheet_(on_sheet),
+        notation_(notation),
+        slack_(same_size * glm::length(subject.world.box.size())) {}
+
+  TurnedCoverage find() {
+    found_.holes.assign(features_.holes.size(), true);
+    for (const RadialPattern& pattern : table_.radial) add_angles(directions_of(pattern));
+    for (std::size_t i = 0; i < features_.pitch_circles.size(); ++i)
+      add_angles(directions_of(features_, static_cast<int>(i)));
+    for (std::size_t i = 0; i < features_.holes.size(); ++i)
+      if (const features::HoleFeature& hole = features_.holes[i];
+          !table_.is_radial(hole) && !has_place(hole.mouth, hole.axis)) {
+        found_.holes[i] = false;
+        found_.missing.push_back(name_of(hole) + ": position along its slope");
+      }
+    for (const features::SlotFeature& slot : features_.slots)
+      if (!has_place(slot.centres[0], slot.axis) || !has_place(slot.centres[1], slot.axis))
+        found_.missing.push_back("slot R" + length_text(slot.radius, notation_) + ": position along its slope");
+    check(found_.holes.size() == features_.holes.size(), "each hole is given or missing");
+    return std::move(found_);
+  }
+
+ private:
+  [[nodiscard]] std::size_t number_of(const features::HoleFeature* hole) const {
+    return static_cast<std::size_t>(hole - features_.holes.data());
+  }
+  [[nodiscard]] std::string name_of(const features::HoleFeature& hole) const {
+    return "hole ⌀" + length_text(hole.diameter, notation_);
+  }
+
+  // Of evenly spaced ones, any may have the angle; those in a table have coordinates.
+  void add_angles(const HoleDirections& around) {
+    const auto is_given = [&](std::size_t number) {
+      return any_dimension(views_, [&](const AnchoredDimension& one) { return gives_direction(one, around, number); });
+    };
+    bool any = false;
+    for (std::size_t i = 0; around.are_even() && i < around.directions.size(); ++i) any = any || is_given(i);
+    for (const std::size_t i : around.needed())
+      if (!any && !is_given(i) && !is_labelled(*around.holes[i], on_sheet_)) {
+        found_.holes[number_of(around.holes[i])] = false;
+        found_.missing.push_back(name_of(*around.holes[i]) + ": angle");
+      }
+  }
+
+  [[nodiscard]] bool has_place(const Vec3& place, const Vec3& axis) const {
+    if (features::axis_along(axis) >= 0) return true;
+    const std::optional<Vec3> along = slanted_across(axis);
+    return along && any_dimension(views_, [&](const AnchoredDimension& dimension) {
+             return measures(dimension, *along, place, slack_);
+           });
+  }
+
+  std::span<const DimensionsInView> views_;
+  const features::PartFeatures& features_;
+  const FeatureTable& table_;
+  const SizesOnSheet& on_sheet_;
+  const Notation& notation_;
+  double slack_;
+  TurnedCoverage found_;
+};
+
+}  // namespace
+
+TurnedCoverage cover_turned(std::span<const DimensionsInView> views, const DimensionSubject& subject,
+                            const FeatureTable& table, const SizesOnSheet& on_sheet, const Notation& notation) {
+  return TurnedFinder(views, subject, table, on_sheet, notation).find();
+}
+
+}  // namespace epura::sheet

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sizes/twins.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
+
+#include "base/error.hpp"
+#include "features/tolerances.hpp"
+#include "sizes/equal_features.hpp"
+
+namespace epura::sheet {
+
+namespace {
+
+using features::are_parallel;
+using features::same_size;
+using scene::DimensionDescription;
+
+/// What a dimension measures: a circle, or from one place to another along a direction.
+struct Measure {
+  std::optional<WorldCircle> circle{};
+  Vec3 along{0};
+  double from = 0, to = 0;
+  bool across = false;  ///< whether a diameter and a length across its circle may be one
+};
+
+std::optional<Vec3> direction_in_views(const DimensionDescription& description, const AnchoredDimension& dimension,
+                                       std::span<const NamedProjection> views) {
+  for (const NamedProjection& view : views)
+    if (description.view.value_or("") == view.name) return direction_of(dimension, view);
+  return std::nullopt;
+}
+
+std::optional<Measure> measure_of(const DimensionDescription& description, const AnchoredDimension& dimension,
+                                  std::span<const NamedProjection> views) {
+  if (dimension.is_label || dimension.arrangement) return std::nullopt;
+  if (dimension.type == DimensionType::diameter || dimension.type == DimensionType::radius)
+    return Measure{dimension.circles.front(), Vec3(0), 0, 0, dimension.type == DimensionType::diameter};
+  if (dimension.type == DimensionType::angular || dimension.type == DimensionType::arc) return std::nullopt;
+  const std::optional<Vec3> along = direction_in_views(description, dimension, views);
+  if (!along) return std::nullopt;
+  const bool across = dimension.type != DimensionType::overall || dimension.form == features::ExtentForm::diameter;
+  return Measure{{}, *along, glm::dot(dimension.points[0], *along), glm::dot(dimension.points[1], *along), across};
+}
+
+std::vector<std::optional<Measure>> measures_of(const std::vector<DimensionDescription>& descriptions,
+                                                const world::World& world, std::span<const NamedProjection> views) {
+  const std::vector<AnchoredDimension> anchored = find_anchors(world, descriptions);
+  std::vector<std::optional<Measure>> measures;
+  for (std::size_t i = 0; i < anchored.size(); ++i) measures.push_back(measure_of(descriptions[i], anchored[i], views));
+  return measures;
+}
+
+bool are_one_circle(const WorldCircle& a, const WorldCircle& b) {
+  const double slack = 10 * same_size * a.radius;
+  return std::abs(a.radius - b.radius) <= slack && are_parallel(a.axis, b.axis) &&
+         features::distance_from_line(b.centre, a.centre, a.axis) <= slack;
+}
+
+// Whether two circles are those of holes that one note describes.
+bool are_of_equal_holes(const WorldCircle& a, const WorldCircle& b, const features::PartFeatures& features) {
+  const auto hole_at = [&features](const WorldCircle& circle) {
+    return std::find_if(features.holes.begin(), features.holes.end(), [&circle](const features::HoleFeature& hole) {
+      return are_one_circle({hole.mouth, hole.axis, hole.called() / 2, {}, true}, circle);
+    });
+  };
+  const auto one = hole_at(a), other = hole_at(b);
+  return one != features.holes.end() && other != features.holes.end() && features::are_equal(*one, *other);
+}
+
+bool is_across(const Measure& length, const WorldCircle& circle) {
+  const double slack = 10 * same_size * circle.radius, middle = glm::dot(circle.centre, length.along);
+  return std::abs(glm::dot(circle.axis, length.along)) <= features::parallel &&
+         std::abs(std::abs(length.to - length.from) - 2 * circle.radius) <= slack &&
+         std::abs((length.from + length.to) / 2 - middle) <= slack;
+}
+
+bool are_one(const Measure& a, const Measure& b, const features::PartFeatures& features, double slack) {
+  if (a.circle && b.circle)
+    return are_one_circle(*a.circle, *b.circle) || are_of_equal_holes(*a.circle, *b.circle, features);
+  if (a.circle) return a.across && b.across && is_across(b, *a.circle);
+  if (b.circle) return a.across && b.across && is_across(a, *b.circle);
+  if (!are_parallel(a.along, b.along)) return false;
+  const double way = glm::dot(a.along, b.along) < 0 ? -1 : 1;
+  const auto near = [&](double x, double y) { return std::abs(x - way * y) <= slack; };
+  return (near(a.from, b.from) && near(a.to, b.to)) || (near(a.from, b.to) && near(a.to, b.from));
+}
+
+// A text in brackets is auxiliary (ISO 129-1). A length across a circle has no text of the circle: number, depth.
+bool is_replacement(const DimensionDescription& given, const DimensionDescription& automatic, bool same_kind) {
+  if (!given.text.given()) return same_kind || !automatic.text.given();
+  return given.text->rfind('(', 0) != 0 && repeats_of(*given.text) == repeats_of(automatic.text.value_or(""));
+}
+
+/// Dimensions with what they measure.
+struct MeasuredGiven {
+  std::span<DimensionDescription* const> given;
+  const std::vector<std::optional<Measure>>& measures;
+};
+
+// Leaves the features of which others say the size out of a note for several.
+void leave_to_others(DimensionDescription& automatic, int count, const MeasuredGiven& of,
+                     const features::PartFeatures& features) {
+  const std::string text = automatic.text.value_or("");
+  const int all = repeats_of(text);
+  if (count == 0 || all <= count || !automatic.circle) return;
+  const scene::FeatureCircle circle = *automatic.circle;
+  const WorldCircle own{circle.centre, circle.axis, circle.radius, {}, true};
+  const auto is_given = [&](const WorldCircle& one) {
+    return std::any_of(of.given.begin(), of.given.end(), [&](const DimensionDescription* given) {
+      return !given->requirement.empty() && given->circle &&
+             are_one_circle({given->circle->centre, given->circle->axis, given->circle->radius, {}, true}, one);
+    });
+  };
+  for (const features::HoleFeature& hole : features.holes) {
+    const WorldCircle other{hole.mouth, hole.axis, hole.called() / 2, {}, true};
+    if (!is_given(own) || is_given(other) || !are_of_equal_holes(own, other, features)) continue;
+    automatic.circle->centre = hole.mouth;
+    break;
+  }
+  automatic.text.value = times(static_cast<std::size_t>(all - count)) + text.substr(times(std::size_t(all)).size());
+}
+
+// Requirements of a file say themselves for how many features they hold: they replace a dimension of features for all
+// of which they are, and say the rest of what it says behind them, as its depth.
+bool is_required(DimensionDescription& automatic, const Measure& measure, const MeasuredGiven& of,
+                 const features::PartFeatures& features, double slack) {
+  std::vector<DimensionDescription*> same;
+  int count = 0;
+  for (std::size_t j = 0; j < of.given.size(); ++j) {
+    if (of.given[j]->requirement.empty() || !of.measures[j] || !are_one(measure, *of.measures[j], features, slack))
+      continue;
+    count += repeats_of(of.given[j]->text.value_or(""));
+    if (of.measures[j]->circle.has_value() == measure.circle.has_value()) same.push_back(of.given[j]);
+  }
+  const std::string text = automatic.text.value_or("<>");
+  if (count < repeats_of(text)) leave_to_others(automatic, count, of, features);
+  if (count < repeats_of(text)) return false;
+  const std::size_t sign = text.find("<>");
+  for (DimensionDescription* one : same)
+    if (sign != std::string::npos) one->text.value.value() += text.substr(sign + 2);
+  return true;
+}
+
+// Half circles at both ends of a slot.
+std::array<scene::FeatureCircle, 2> ends_of(const features::SlotFeature& slot) {
+  std::array<scene::FeatureCircle, 2> ends;
+  for (std::size_t end = 0; end < 2; ++end) {
+    const Vec3 &centre = slot.centres[end], along = glm::normalize(centre - slot.centres[1 - end]);
+    const Vec3 out = glm::cross(slot.axis, along);
+    ends[end] = {centre,
+                 slot.axis,
+                 slot.radius,
+                 {centre - slot.radius * out, centre + slot.radius * along, centre + slot.radius * out}};
+  }
+  return ends;
+}
+
+}  // namespace
+
+std::vector<scene::FeatureCircle> equal_circles(const DimensionDescription& automatic,
+                                                std::span<const DimensionDescription> given,
+                                                const features::PartFeatures& features) {
+  std::vector<scene::FeatureCircle> equal;
+  if (!automatic.circle || automatic.is_label || repeats_of(automatic.text.value_or("")) < 2) return equal;
+  const scene::FeatureCircle& own = *automatic.circle;
+  const auto circle_at = [](const scene::FeatureCircle& one) {
+    return WorldCircle{one.centre, one.axis, one.radius, one.arc, one.arc.empty()};
+  };
+  const auto add = [&](scene::FeatureCircle one) {
+    const bool is_given = std::any_of(given.begin(), given.end(), [&](const DimensionDescription& other) {
+      return other.circle && are_one_circle(circle_at(*other.circle), circle_at(one));
+    });
+    if (!is_given && are_parallel(own.axis, one.axis) && features::are_same(own.radius, one.radius) &&
+        !are_one_circle(circle_at(own), circle_at(one)))
+      equal.push_back(std::move(one));
+  };
+  if (*automatic.type == DimensionType::diameter) {
+    for (const features::HoleFeature& hole : features.holes)
+      if (const scene::FeatureCircle one{hole.mouth, hole.axis, hole.called() / 2, {}};
+          glm::dot(own.axis, one.axis) > 0 && are_of_equal_holes(circle_at(own), circle_at(one), features))
+        add(one);
+    return equal;
+  }
+  const auto is_own = [&](const scene::FeatureCircle& end) { return are_one_circle(circle_at(own), circle_at(end)); };
+  bool is_slot = false;  // otherwise a fillet
+  for (const features::SlotFeature& slot : features.slots) {
+    const auto ends = ends_of(slot);
+    is_slot = is_slot || std::any_of(ends.begin(), ends.end(), is_own);
+  }
+  if (is_slot)
+    for (const features::SlotFeature& slot : features.slots)
+      for (const scene::FeatureCircle& end : ends_of(slot)) add(end);
+  else
+    for (const features::ArcFeature& arc : features.arcs) add({arc.centre, arc.axis, arc.radius, arc.points});
+  check(equal.size() <= features.arcs.size() + 2 * features.slots.size(), "equal features are those of the part");
+  return equal;
+}
+
+Vec3 direction_of(const AnchoredDimension& dimension, const NamedProjection& view) {
+  if (dimension.type == DimensionType::overall) return Mat3(1)[axis_of(*dimension.direction)];
+  if (dimension.type == DimensionType::aligned) return glm::normalize(dimension.points[1] - dimension.points[0]);
+  return *dimension.direction == DimensionDirection::horizontal ? view.projection.u : view.projection.v;
+}
+
+void replace_twins(std::vector<DimensionDescription>& automatic, std::span<DimensionDescription* const> given,
+                   const world::World& world, const features::PartFeatures& features,
+                   std::span<const NamedProjection> views) {
+  if (automatic.empty() || given.empty()) return;
+  std::vector<DimensionDescription> copies;
+  for (const DimensionDescription* one : given) copies.push_back(*one);
+  const auto of_given = measures_of(copies, world, views), of_automatic = measures_of(automatic, world, views);
+  check(of_given.size() == given.size() && of_automatic.size() == automatic.size(), "each dimension has a measure");
+  const double slack = same_size * glm::length(world.box.size());
+  std::vector<char> replaced(automatic.size(), 0);
+  for (std::size_t i = 0; i < automatic.size(); ++i) {
+    if (of_automatic[i] && is_required(automatic[i], *of_automatic[i], {given, of_given}, features, slack))
+      replaced[i] = 1;
+    for (std::size_t j = 0; j < given.size() && replaced[i] == 0; ++j) {
+      if (!of_automatic[i] || !of_given[j] || !given[j]->requirement.empty() ||
+          !are_one(*of_automatic[i], *of_given[j], features, slack))
+        continue;
+      const bool same_kind = of_automatic[i]->circle.has_value() == of_given[j]->circle.has_value();
+      if (!is_replacement(*given[j], automatic[i], same_kind)) continue;
+      // A size with a tolerance is not auxiliary.
+      const bool is_auxiliary = automatic[i].text.value_or("").rfind('(', 0) == 0 && given[j]->tolerance.given();
+      if (!given[j]->text.given() && automatic[i].text.given() && same_kind && !is_auxiliary)
+        given[j]->text = automatic[i].text;
+      replaced[i] = 1;
+    }
+  }
+  std::size_t number = 0;
+  std::erase_if(automatic, [&](const DimensionDescription&) { return replaced[number++] != 0; });
+}
+
+}  // namespace epura::sheet

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+// The views in which automatic dimensions may stand.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "scene/description.hpp"
+#include "sizes/overall.hpp"
+
+namespace epura::sheet {
+
+class ViewChoice {
+ public:
+  /// Views that show lengths parallel to their plane in true length; of these the one that the dimension names, if any.
+  ViewChoice(const scene::DimensionDescription& wanted, std::span<const NamedProjection> views);
+
+  /// Without aligned sections.
+  [[nodiscard]] const std::vector<const NamedProjection*>& all() const { return views_; }
+  /// Aligned sections that are seen along the normal of their plane. They count where no other view does.
+  [[nodiscard]] const std::vector<const NamedProjection*>& aligned() const { return aligned_; }
+  /// The first view along an axis; null if there is none. `towards`: if possible one that sees the axis come nearer.
+  [[nodiscard]] const NamedProjection* along(const Vec3& axis, bool towards = false) const;
+  /// The first view in which the axis of what is at a point is horizontal or vertical; null if there is none.
+  [[nodiscard]] const NamedProjection* across(const Vec3& axis, const Vec3& at) const;
+  /// The first view to which it is parallel, in whatever direction on paper; null if there is none.
+  [[nodiscard]] const NamedProjection* beside(const Vec3& axis, const Vec3& at) const;
+
+ private:
+  std::vector<const NamedProjection*> views_, aligned_;
+};
+
+}  // namespace epura::sheet

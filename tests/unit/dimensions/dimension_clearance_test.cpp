@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// How far dimensions keep from each other, and from what they could be taken for.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "dimensions/surroundings.hpp"
+#include "dimensions_support.hpp"
+
+namespace epura::test::dimension_clearance_test {
+namespace {
+
+// The leader to a pitch circle must not end in one of its holes.
+TEST(DimensionClearance, LeadersSeemToMeanSmallHoles) {
+  EXPECT_TRUE(sheet::goes_through({{20, 0}, {40, 30}}, {{20.2, 0}, 1}));
+  EXPECT_FALSE(sheet::goes_through({{21.2, 0}, {40, 30}}, {{20.2, 0}, 1})) << "its own";
+  EXPECT_FALSE(sheet::goes_through({{20, 0}, {40, 30}}, {{20.2, 0}, 4})) << "as large as to be told from the arrow";
+}
+
+// The upright lines of a layer that are beside each other, at least in part: the smallest distance between them.
+double nearest_upright_lines(const sheet::Layer& layer) {
+  double nearest = HUGE_VAL;
+  std::vector<std::array<Vec2, 2>> upright;
+  for (const sheet::Stroke& stroke : layer.strokes)
+    if (const Vec2& a = stroke.points.front(), &b = stroke.points.back(); std::abs(a.x - b.x) < 1e-6)
+      upright.push_back({a.y < b.y ? a : b, a.y < b.y ? b : a});
+  for (const auto& [from, to] : upright)
+    for (const auto& [begin, end] : upright)
+      if (std::abs(from.x - begin.x) > 1e-6 && std::max(from.y, begin.y) < std::min(to.y, end.y))
+        nearest = std::min(nearest, std::abs(from.x - begin.x));
+  return nearest;
+}
+
+// Two steps half a millimetre apart on paper: their extension lines are on different sides.
+TEST(DimensionClearance, ExtensionLinesOfDifferentPlacesAreApart) {
+  for (const double apart : {0.3, 0.5, 0.6, -0.3, -0.5}) {
+    Shape steps = box({0, 0, 0}, {60, 10, 20});
+    steps.add(box({0, 0, 20}, {30, 10, 30}));
+    steps.add(box({0, 0, 30}, {30 - apart, 10, 40}));
+    const world::World world = placed(steps);
+    const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
+    std::vector<scene::DimensionDescription> dimensions;
+    for (const Vec3& end : {Vec3(30, 0, 30), Vec3(30 - apart, 0, 40)}) {
+      dimensions.push_back(dimension("linear", {0, 0}, "horizontal"));
+      dimensions.back().anchors = {Vec3(0, 0, 0), end};
+    }
+    const sheet::Layer layer = layer_of(world, front, dimensions);
+    ASSERT_EQ(layer.texts.size(), 2U);
+    EXPECT_GE(nearest_upright_lines(layer), 0.7) << apart;
+  }
+}
+
+// Posts stand around the first of two equal holes, closer together than a leader is wide.
+TEST(DimensionClearance, ANoteStandsAtAnotherEqualCircle) {
+  for (const double way : {1.0, -1.0}) {
+    Shape part = cylinder(48, 3, 5);
+    for (int i = 0; i < 12; ++i) {
+      const double angle = 2 * std::numbers::pi * i / 12;
+      part.add(cylinder(32, 2, 5).moved(7.5 * std::cos(angle), 7.5 * std::sin(angle), 0));
+    }
+    part.add(cylinder(48, 3, 5).moved(way * 40, 5, 0));
+    const world::World world = placed(part);
+    const drawing::ViewDrawing above = drawing_of(world, from_above());
+    scene::DimensionDescription note = dimension("diameter", {});
+    note.circle = {Vec3(0, 0, 5), Vec3(0, 0, 1), 3, {}};
+    note.text = {"2× <>", ""};
+    const auto centre_of_tip = [&](const sheet::Layer& layer) {
+      const Vec2 tip = layer.fills.at(0).rings.at(0).at(0);
+      const auto on_paper = [&](const Vec3& p) { return drawing::position_on_page(above, p); };
+      return glm::distance(tip, on_paper({0, 0, 5})) < 10 ? 0 : 1;
+    };
+    const sheet::DimensionStyle style{sheet::Lettering(), 0.25};
+    const std::vector<std::vector<scene::FeatureCircle>> equal{{{Vec3(way * 40, 5, 5), Vec3(0, 0, 1), 3, {}}}};
+    const auto place = [&](std::span<const std::vector<scene::FeatureCircle>> others) {
+      return sheet::place_dimensions({world, above, {&note, 1}, 1, false, others}, style);
+    };
+    EXPECT_EQ(centre_of_tip(place({}).layer), 0);
+    const sheet::PlacedLayer placed = place(equal);
+    EXPECT_EQ(centre_of_tip(placed.layer), 1);
+    ASSERT_EQ(placed.layer.texts.size(), 1U);
+    EXPECT_EQ(placed.layer.texts[0].text, "2× ⌀6");
+    // Where the view does not show the first, the note is at one that it shows.
+    note.circle->centre = Vec3(0, 60, 5);
+    EXPECT_TRUE(place(equal).unseen.empty());
+    EXPECT_EQ(place({}).unseen.size(), 1U);
+  }
+}
+
+// The upper edge of a plate is where the shoulder of the best leader would be.
+TEST(DimensionClearance, ShouldersDoNotRunAlongLines) {
+  for (const double off : {-0.8, -0.4, 0.0, 0.3, 0.5, 0.6, 0.8}) {
+    const double edge = 11 / std::sqrt(2.0) + off;
+    Shape part = box({-30, -30, 0}, {30, edge, 5});
+    part.add(cylinder(48, 3, 5).moved(0, 0, 5));
+    const world::World world = placed(part);
+    const drawing::ViewDrawing above = drawing_of(world, from_above());
+    scene::DimensionDescription note = dimension("diameter", {});
+    note.circle = {Vec3(0, 0, 10), Vec3(0, 0, 1), 3, {}};
+    const sheet::Layer layer = layer_of(world, above, {note});
+    const double line = drawing::position_on_page(above, {0, edge, 5}).y;
+    for (const sheet::Stroke& stroke : layer.strokes) {
+      if (stroke.points.size() != 3) continue;
+      EXPECT_GE(std::abs(stroke.points[2].y - line), 0.9) << off;
+    }
+  }
+}
+
+// The room between a dimension line of another view and the top of its text is that dimension's.
+TEST(DimensionClearance, NoTextIsAmongDimensionsOfAnotherView) {
+  const world::World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
+  const std::vector<scene::DimensionDescription> width{dimension("overall", {}, "width")};
+  const sheet::DimensionStyle style{sheet::Lettering(), 0.25};
+  const sheet::PlacedLayer alone = sheet::place_dimensions({world, front, width, 1}, style);
+  ASSERT_EQ(alone.layer.texts.size(), 1U);
+  EXPECT_LT(alone.layer.texts[0].at.y, front.box.min.y);
+  sheet::Neighbours around;
+  around.zones = {sheet::turned_box({{0, 60}, {200, 79}})};
+  const sheet::PlacedLayer moved = sheet::place_dimensions({world, front, width, 1}, style, around);
+  ASSERT_EQ(moved.layer.texts.size(), 1U);
+  EXPECT_GT(moved.layer.texts[0].at.y, front.box.max.y);
+  for (const sheet::TurnedBox& zone : moved.zones) EXPECT_FALSE(sheet::overlap(zone, around.zones[0]));
+  EXPECT_FALSE(moved.zones.empty());
+  around.zones.push_back(sheet::turned_box({{0, 121}, {200, 900}}));
+  around.zones.push_back(sheet::turned_box({{0, -900}, {200, 79}}));
+  const sheet::PlacedLayer none = sheet::place_dimensions({world, front, width, 1}, style, around);
+  EXPECT_EQ(none.left_out, (std::vector<std::size_t>{0}));
+}
+
+}  // namespace
+}  // namespace epura::test::dimension_clearance_test

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// Parts with automatic dimensions in three views, of which some can be taken away or changed.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "features/assembly_features.hpp"
+#include "mesh/read.hpp"
+#include "sizes/automatic.hpp"
+#include "sizes/free_faces.hpp"
+#include "sizes/rebuilt_part.hpp"
+
+namespace epura::test {
+
+inline world::World world_of(const std::string& obj) {
+  world::World world = world::make_world({{std::make_shared<const mesh::Mesh>(mesh::read_mesh(obj, "part.obj"))}});
+  for (world::Placed& placed : world.models)
+    placed.part = std::make_shared<const surfaces::PartFaces>(surfaces::recognise_faces(*placed.mesh));
+  return world;
+}
+
+inline std::vector<sheet::NamedProjection> three_views() {
+  std::vector<sheet::NamedProjection> views{{"front", {}}, {"top", {}}, {"left", {}}};
+  const std::array<std::array<Vec3, 2>, 3> axes{
+      {{Vec3(1, 0, 0), Vec3(0, 0, 1)}, {Vec3(1, 0, 0), Vec3(0, 1, 0)}, {Vec3(0, -1, 0), Vec3(0, 0, 1)}}};
+  for (std::size_t i = 0; i < 3; ++i) {
+    projection::Projection& view = views[i].projection;
+    view.u = axes[i][0];
+    view.v = axes[i][1];
+    view.n = view.projector = glm::cross(view.u, view.v);
+  }
+  return views;
+}
+
+/// A part, and its automatic dimensions in three views.
+class DimensionedPart {
+ public:
+  explicit DimensionedPart(const std::string& obj) : world_(world_of(obj)), extents_(features::true_extents(world_)) {
+    const std::vector<sheet::NamedProjection> views = three_views();
+    const features::PartFeatures features = features::features_to_dimension(world_);
+    scene::DimensionDescription wanted;
+    wanted.type = {DimensionType::automatic, ""};
+    const auto plan = sheet::automatic_dimensions(wanted, views, {world_, features, extents_}, {});
+    for (const sheet::NamedProjection& view : views) {
+      std::vector<scene::DimensionDescription> own;
+      for (const scene::DimensionDescription& one : plan.dimensions)
+        if (*one.view == view.name) own.push_back(one);
+      for (const sheet::AnchoredDimension& one : sheet::find_anchors(world_, own)) texts.push_back(one.text);
+      views_.push_back({view.name, view.projection, sheet::find_anchors(world_, own)});
+    }
+  }
+
+  [[nodiscard]] sheet::FreeFaces free() const { return sheet::find_free_faces(views_, world_, extents_, {}); }
+
+  /// Without one of its dimensions, counted over all views.
+  [[nodiscard]] sheet::FreeFaces free_without(std::size_t number) const {
+    return sheet::find_free_faces(views_without(number), world_, extents_, {});
+  }
+
+  /// With another text of one of them, and with a second one of the same if `doubled`.
+  [[nodiscard]] sheet::FreeFaces with_text(std::size_t number, const std::string& text, bool doubled) const {
+    std::vector<sheet::DimensionsInView> views = views_;
+    for (sheet::DimensionsInView& view : views) {
+      if (number < view.dimensions.size()) {
+        if (doubled) view.dimensions.push_back(view.dimensions[number]);
+        view.dimensions[number].text = text;
+        break;
+      }
+      number -= view.dimensions.size();
+    }
+    return sheet::find_free_faces(views, world_, extents_, {});
+  }
+
+  /// Found again from its dimensions; without one of them, counted over all views.
+  [[nodiscard]] std::optional<sheet::RebuiltPart> rebuilt(std::optional<std::size_t> without = std::nullopt) const {
+    return sheet::rebuild_part(without ? views_without(*without) : views_, world_, extents_, {});
+  }
+
+  std::vector<std::string> texts;
+
+ private:
+  [[nodiscard]] std::vector<sheet::DimensionsInView> views_without(std::size_t number) const {
+    std::vector<sheet::DimensionsInView> views = views_;
+    for (sheet::DimensionsInView& view : views) {
+      if (number < view.dimensions.size()) {
+        view.dimensions.erase(view.dimensions.begin() + static_cast<std::ptrdiff_t>(number));
+        break;
+      }
+      number -= view.dimensions.size();
+    }
+    return views;
+  }
+
+  world::World world_;
+  std::array<features::Extent, 3> extents_;
+  std::vector<sheet::DimensionsInView> views_;
+};
+
+// A block of 60 x 40 x 10 whose upper edge is cut off from (50, 10) to (60, 4).
+inline const char* const sloped_block =
+    "v 0 0 0\nv 60 0 0\nv 60 0 4\nv 50 0 10\nv 0 0 10\nv 0 40 0\nv 60 40 0\nv 60 40 4\nv 50 40 10\nv 0 40 10\n"
+    "f 1 2 3 4 5\nf 10 9 8 7 6\nf 1 6 7 2\nf 2 7 8 3\nf 3 8 9 4\nf 4 9 10 5\nf 5 10 6 1\n";
+
+}  // namespace epura::test

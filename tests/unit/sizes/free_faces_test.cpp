@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the dimensions of a sheet leave free, whatever features the faces form.
+#include "sizes/free_faces.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dimensioned_part.hpp"
+#include "grooved_parts.hpp"
+#include "sloped_parts.hpp"
+#include "turned_parts.hpp"
+
+namespace epura::test::free_faces_test {
+namespace {
+
+std::string told(const sheet::FreeFaces& free) {
+  std::string text;
+  for (const sheet::FreeFace& one : free.free) text += one.sentence + "\n";
+  for (const std::string& sentence : free.undecided) text += sentence + "\n";
+  return text;
+}
+
+}  // namespace
+
+TEST(FreeFaces, AreNoneIfAllAreHeld) {
+  const DimensionedPart sheet(sloped_block);
+  ASSERT_EQ(sheet.texts.size(), 5U);
+  EXPECT_EQ(told(sheet.free()), "");
+  EXPECT_EQ(sheet.free().count.given, 7);
+  EXPECT_EQ(sheet.free().count.all, 7);
+}
+
+TEST(FreeFaces, AreToldForEachDimensionThatIsMissing) {
+  const DimensionedPart sheet(sloped_block);
+  for (std::size_t i = 0; i < sheet.texts.size(); ++i) {
+    const sheet::FreeFaces free = sheet.free_without(i);
+    ASSERT_EQ(free.free.size(), 1U) << i;
+    EXPECT_NE(free.free[0].sentence.find("; add a"), std::string::npos) << told(free);
+    EXPECT_NE(free.free[0].sentence.find(" in view '"), std::string::npos) << told(free);
+    EXPECT_LT(free.count.given, free.count.all);
+  }
+}
+
+TEST(FreeFaces, AreOfNoConcernToTextsThatAreUntrue) {
+  const DimensionedPart sheet(sloped_block);
+  for (std::size_t i = 0; i < sheet.texts.size(); ++i) {
+    const sheet::FreeFaces changed = sheet.with_text(i, "71", false);
+    EXPECT_EQ(told(changed), "") << i;
+    EXPECT_EQ(changed.untrue.size(), 1U) << i;
+    EXPECT_TRUE(changed.contradictory.empty()) << i;
+    const sheet::FreeFaces doubled = sheet.with_text(i, "71", true);
+    EXPECT_EQ(doubled.untrue.size(), 1U) << i;
+    ASSERT_EQ(doubled.contradictory.size(), 1U) << i;
+    EXPECT_NE(doubled.contradictory[0].find("cannot all be true"), std::string::npos) << doubled.contradictory[0];
+    const sheet::FreeFaces repeated = sheet.with_text(i, "<>", true);
+    EXPECT_TRUE(repeated.contradictory.empty()) << i;
+    EXPECT_TRUE(repeated.untrue.empty()) << i;
+  }
+  EXPECT_TRUE(sheet.with_text(0, "60 ±0.1", true).contradictory.empty());
+  EXPECT_EQ(sheet.with_text(0, "60.5", true).contradictory.size(), 1U);
+}
+
+namespace {
+
+/// Parts whose sizes are all known. How a tube or a block as a whole lies in the world is no size of theirs.
+struct Family {
+  std::vector<KnownPart> parts;
+  std::size_t of_place = 0;
+};
+
+std::vector<Family> families() {
+  return {{v_notches()},
+          {planes_between_slopes()},
+          {slopes_to_rounded_corners()},
+          {rounded_trapezia()},
+          {slopes_of_45_degrees()},
+          {round_ends()},
+          {tongues()},
+          {links()},
+          {tubes_with_radial_holes(), 1},
+          {wedges_with_holes()},
+          {wedges_with_pairs()},
+          {uneven_pitch_circles()},
+          {plates_with_conical_bosses()},
+          {channels()},
+          {plates_with_turned_holes()},
+          {chamfered_hexagons()},
+          {plates_with_dimples()},
+          {blocks_with_grooves()},
+          {bases_with_ribs()},
+          {plates_with_pockets()},
+          {bosses_over_bores()},
+          {parted_round_tops()},
+          {bosses_with_ring_grooves()},
+          {blocks_with_open_slots()},
+          {bases_with_lugs()},
+          {shafts_with_open_keyways()},
+          {plates_with_ring_grooves()},
+          {turned_blocks(), 1}};
+}
+
+}  // namespace
+
+// Automatic dimensions define all families of parts with known sizes, one less does not.
+TEST(FreeFaces, AreThoseOfPartsWithOneDimensionLess) {
+  std::size_t parts = 0;
+  for (const Family& family : families())
+    for (std::size_t i = 0; i < family.parts.size(); i += 4, ++parts) {
+      const DimensionedPart sheet(family.parts[i].obj);
+      const std::string_view name = family.parts[i].name;
+      EXPECT_EQ(told(sheet.free()), "") << name;
+      EXPECT_EQ(sheet.free().count.given, sheet.free().count.all) << name;
+      std::size_t of_place = 0;
+      for (std::size_t k = 0; k < sheet.texts.size(); ++k) {
+        const sheet::FreeFaces less = sheet.free_without(k);
+        // An auxiliary dimension holds nothing.
+        if (sheet.texts[k].starts_with("(")) {
+          EXPECT_EQ(told(less), "") << name << " without " << sheet.texts[k];
+        } else if (less.count.given == less.count.all) {
+          ++of_place;
+        } else {
+          EXPECT_FALSE(less.free.empty()) << name << " without " << k << ": " << told(less);
+          EXPECT_TRUE(less.undecided.empty()) << name << " without " << k << ": " << told(less);
+        }
+      }
+      EXPECT_EQ(of_place, family.of_place) << name;
+    }
+  EXPECT_GE(parts, 90U);
+}
+
+// Of each part one dimension is removed by plan, one doubled, and one changed. Where slopes are at right angles by
+// chance, an angle says what is drawn.
+TEST(FreeFaces, AreFoundInPartsThatAreDefinedTooLittleOrTooMuch) {
+  const std::string square = "a plane between slopes 5";
+  std::size_t parts = 0, removed = 0;
+  for (const Family& family : families())
+    for (const KnownPart& one : family.parts) {
+      const DimensionedPart sheet(one.obj);
+      SCOPED_TRACE(one.name);
+      const sheet::FreeFaces whole = sheet.free();
+      const std::size_t number = 7 * ++parts % sheet.texts.size();
+      EXPECT_EQ(told(whole), "");
+      EXPECT_TRUE(whole.contradictory.empty() && whole.untrue.empty());
+      EXPECT_EQ(whole.repeated.size(), one.name == square ? 1U : 0U);
+      if (sheet.texts[number].starts_with("(") || one.name == square) continue;
+      const bool is_found = !sheet.free_without(number).free.empty();
+      EXPECT_TRUE(is_found || family.of_place > 0) << "without " << number;
+      if (!is_found) continue;
+      ++removed;
+      EXPECT_EQ(sheet.with_text(number, sheet.texts[number], true).repeated.size(), 1U) << number << " twice";
+      EXPECT_EQ(sheet.with_text(number, "997", false).untrue.size(), 1U) << number << " changed";
+    }
+  EXPECT_GE(parts, 350U);
+  EXPECT_GE(removed, 340U);
+}
+
+}  // namespace epura::test::free_faces_test
