@@ -106,25 +106,25 @@ def press(browser, name):
     browser.click(x, y)
 
 
-# An upper edge of the larger box, 40 long, and two that follow it: one upright, one to the far corner.
-UPPER = '[data-view=isometric] path[data-edge="4-5"]'
-NEXT = '[data-view=isometric] path[data-edge="1-5 5-7"]'
+# An upper edge of the larger box, 30 long, and two that meet it: one upright, one to the far corner.
+UPPER = '[data-view=isometric] path[data-edge="5-7"]'
+NEXT = '[data-view=isometric] path[data-edge="1-5 4-5"]'
 
 
 def test_pointing(browser):
     number = line_number(browser, UPPER)
     browser.move(*position(browser, number))
     found = facts(browser)
-    same("edge under the pointer", found.get("Edge"), "4-5")
-    same("its length in space", found.get("True length"), "40")
-    same("its faces", found.get("Faces"), "1, 2")
+    same("edge under the pointer", found.get("Edge"), "5-7")
+    same("its length in space", found.get("True length"), "30")
+    same("its faces", found.get("Faces"), "1, 5")
     same("its body", found.get("Body"), "Larger")
     same("its model", found.get("Model"), "0: box.obj")
     browser.move(5, 400)
     check("nothing under the pointer", "Point at a line" in text(browser, "facts"))
     browser.click(*position(browser, number))
     browser.move(5, 400)
-    same("a picked line stays", facts(browser).get("Edge"), "4-5")
+    same("a picked line stays", facts(browser).get("Edge"), "5-7")
     same("it is marked", browser.evaluate("document.querySelectorAll('.marks .picked').length"), 1)
 
 
@@ -133,10 +133,10 @@ def test_measuring(browser):
     press(browser, "measure")
     browser.click(*position(browser, number, 0.02))
     browser.click(*position(browser, number, 0.98))
-    check("length in space, measured", text(browser, "measured").startswith("40 in space"), text(browser, "measured"))
-    check("its parts", re.search("Δx 40Δy 0Δz 0$", text(browser, "measured")), text(browser, "measured"))
-    # From the left to the right corner of the upper face: 40 and 30.
-    browser.click(*position(browser, number, 0.02))
+    check("length in space, measured", text(browser, "measured").startswith("30 in space"), text(browser, "measured"))
+    check("its parts", re.search("Δx 0Δy 30Δz 0$", text(browser, "measured")), text(browser, "measured"))
+    # From the right to the left corner of the upper face: 30 and 40.
+    browser.click(*position(browser, number, 0.98))
     browser.click(*position(browser, line_number(browser, NEXT), 0.99))
     check("a diagonal in space", text(browser, "measured").startswith("50 in space"), text(browser, "measured"))
     front = line_number(browser, '[data-view=front] path[data-about*=";1;"]')

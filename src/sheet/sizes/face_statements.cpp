@@ -477,6 +477,36 @@ class Reader {
         if (Row row = measured_.length(rims[j], rims[i], circle.axis); !row.empty()) rows.push_back(std::move(row));
         done.push_back(at);
       }
+    add_depths_below_round_faces(rows, circle, depth);
+  }
+
+  // Of radial holes, below the place where their axis meets a round face.
+  void add_depths_below_round_faces(std::vector<Row>& rows, const WorldCircle& circle, double depth) const {
+    std::vector<double> done;
+    for (const Vec3& rim : rims_around(circle)) {
+      const double at = glm::dot(rim - circle.centre, circle.axis);
+      if (std::any_of(done.begin(), done.end(), [&](double one) { return std::abs(one - at) <= slack_; })) continue;
+      done.push_back(at);
+      const Vec3 floor = circle.centre + at * circle.axis;
+      for (const double up : {-1, 1}) {
+        const Vec3 mouth = floor + up * depth * circle.axis;
+        if (!is_on_round_face(mouth, circle.axis)) continue;
+        Row row = measured_.length(floor, mouth, circle.axis);
+        if (row.empty()) row = measured_.length(rim, mouth, circle.axis);
+        if (!row.empty()) rows.push_back(std::move(row));
+      }
+    }
+  }
+
+  // Whether a round face is perpendicular to a direction at a place.
+  [[nodiscard]] bool is_on_round_face(const Vec3& place, const Vec3& along) const {
+    for (int face = 0; face < static_cast<int>(count_); ++face) {
+      if (!world::is_round(surface(face).kind)) continue;
+      const surfaces::Nearness near = surfaces::nearness_of(surface(face), place);
+      if (std::abs(near.distance) <= slack_ && near.normal != Vec3(0) && features::are_parallel(near.normal, along))
+        return true;
+    }
+    return false;
   }
 
   void add_sizes(std::vector<Row>& rows, const WorldCircle& circle, double number) const {
