@@ -272,7 +272,8 @@ std::optional<DrawnPart> part_on_sheets(std::span<const DimensionsInView> views,
   const std::size_t count = faces->faces.size();
   if (count > most_faces) return DrawnPart{std::move(*faces), count, {}};
   DrawnPart drawn = with_drawn_lines(std::move(*faces), views, extents);
-  drawn.part = definition::with_common_directions(std::move(drawn.part), definition::find_directions(drawn.part.faces));
+  const definition::Directions directions = definition::find_directions(drawn.part.faces);
+  drawn.part = definition::with_common_directions(std::move(drawn.part), directions);
   return drawn;
 }
 
