@@ -176,71 +176,87 @@ inline std::vector<KnownPart> links() {
   return parts;
 }
 
-/// A tube about z with holes towards its axis, each in a sector of its own. Rings of vertices on both cylinders lead
-/// from the rim of a hole to the border of its sector.
-inline std::string tube_with_holes(const std::vector<double>& angles, double height, double radius) {
-  constexpr double inner = 14, outer = 20, length = 40;
-  constexpr int rings = 8;
-  Model model;
+/// A sector of cylinders about z with a hole towards their axis. Rings of vertices lead from the rim of the hole to the
+/// border of the sector.
+struct RadialHole {
+  static constexpr double outer = 20, length = 40;
+  static constexpr int rings = 8;
+
+  double middle, height;  ///< of the hole: degrees about z, and along it
+  Loop border, rim;       ///< the sector as (degrees, height), and the hole about its axis; points of equal number
+
+  /// Where a bore about the radial direction meets a cylinder, in ring 0, and beyond.
+  [[nodiscard]] Vec3 at(double r, int ring, std::size_t i) const {
+    const Vec2 mouth(middle + std::asin(rim[i].x / r) * 180 / std::numbers::pi, height + rim[i].y);
+    const Vec2 p = mouth + (border[i] - mouth) * (double(ring) / rings);
+    return Vec3(r * cosine(p.x), r * sine(p.x), p.y);
+  }
+  /// Where the bore meets a plane across its axis.
+  [[nodiscard]] Vec3 at_floor(double from_axis, std::size_t i) const {
+    return Vec3(from_axis * cosine(middle) - rim[i].x * sine(middle),
+                from_axis * sine(middle) + rim[i].x * cosine(middle), height + rim[i].y);
+  }
+  [[nodiscard]] std::size_t next(std::size_t i) const { return (i + 1) % border.size(); }
+  [[nodiscard]] bool is_on_end(std::size_t i) const { return border[i].y == border[next(i)].y; }
+
+  /// The cylinder around the hole between two lines of vertices, seen from outside or from within.
+  void add_cylinder(Model& model, double r, std::size_t i, bool from_within) const {
+    const std::size_t a = from_within ? next(i) : i, b = from_within ? i : next(i);
+    for (int ring = 0; ring < rings; ++ring) {
+      model.face({at(r, ring + 1, a), at(r, ring + 1, b), at(r, ring, next(i))});
+      if (from_within)
+        model.face({at(r, ring + 1, i), at(r, ring, i), at(r, ring, next(i))});
+      else
+        model.face({at(r, ring + 1, i), at(r, ring, next(i)), at(r, ring, i)});
+    }
+  }
+};
+
+inline std::vector<RadialHole> radial_holes(const std::vector<double>& angles, double height, double radius) {
+  std::vector<RadialHole> holes;
   const std::size_t count = angles.size();
   for (std::size_t s = 0; s < count; ++s) {
     const double middle = angles[s], before = angles[(s + count - 1) % count] - (s == 0 ? 360 : 0),
                  after = angles[(s + 1) % count] + (s + 1 == count ? 360 : 0);
     const double from = (middle + before) / 2, to = (middle + after) / 2;
-    const Loop border = square({from, 0}, {to - from, length}), rim = circle({0, 0}, radius, -135);
-    const auto at = [&](double r, int ring, std::size_t i) {
-      // Where a bore about the radial direction meets a cylinder.
-      const Vec2 mouth(middle + std::asin(rim[i].x / r) * 180 / std::numbers::pi, height + rim[i].y);
-      const Vec2 p = mouth + (border[i] - mouth) * (double(ring) / rings);
-      return Vec3(r * cosine(p.x), r * sine(p.x), p.y);
-    };
-    for (std::size_t i = 0; i < border.size(); ++i) {
-      const std::size_t j = (i + 1) % border.size();
-      for (int ring = 0; ring < rings; ++ring) {
-        model.face({at(outer, ring + 1, i), at(outer, ring + 1, j), at(outer, ring, j)});
-        model.face({at(outer, ring + 1, i), at(outer, ring, j), at(outer, ring, i)});
-        model.face({at(inner, ring + 1, j), at(inner, ring + 1, i), at(inner, ring, j)});
-        model.face({at(inner, ring + 1, i), at(inner, ring, i), at(inner, ring, j)});
-      }
-      model.face({at(outer, 0, i), at(outer, 0, j), at(inner, 0, j), at(inner, 0, i)});
-      if (border[i].y == border[j].y)
-        model.face({at(outer, rings, j), at(outer, rings, i), at(inner, rings, i), at(inner, rings, j)});
-    }
+    holes.push_back({middle, height, square({from, 0}, {to - from, RadialHole::length}), circle({0, 0}, radius, -135)});
   }
+  return holes;
+}
+
+/// A tube about z with holes towards its axis, each in a sector of its own.
+inline std::string tube_with_holes(const std::vector<double>& angles, double height, double radius) {
+  constexpr double inner = 14, outer = RadialHole::outer;
+  constexpr int rings = RadialHole::rings;
+  Model model;
+  for (const RadialHole& hole : radial_holes(angles, height, radius))
+    for (std::size_t i = 0; i < hole.border.size(); ++i) {
+      const std::size_t j = hole.next(i);
+      hole.add_cylinder(model, outer, i, false);
+      hole.add_cylinder(model, inner, i, true);
+      model.face({hole.at(outer, 0, i), hole.at(outer, 0, j), hole.at(inner, 0, j), hole.at(inner, 0, i)});
+      if (hole.is_on_end(i))
+        model.face(
+            {hole.at(outer, rings, j), hole.at(outer, rings, i), hole.at(inner, rings, i), hole.at(inner, rings, j)});
+    }
   return model.obj();
 }
 
 /// A shaft about z with flat-bottomed holes towards its axis, which end `floor` from it, each in a sector of its own.
 inline std::string shaft_with_blind_holes(const std::vector<double>& angles, double height, double radius,
                                           double floor) {
-  constexpr double outer = 20, length = 40;
-  constexpr int rings = 8;
+  constexpr double outer = RadialHole::outer;
+  constexpr int rings = RadialHole::rings;
   Model model;
-  const std::size_t count = angles.size();
-  for (std::size_t s = 0; s < count; ++s) {
-    const double middle = angles[s], before = angles[(s + count - 1) % count] - (s == 0 ? 360 : 0),
-                 after = angles[(s + 1) % count] + (s + 1 == count ? 360 : 0);
-    const double from = (middle + before) / 2, to = (middle + after) / 2;
-    const Loop border = square({from, 0}, {to - from, length}), rim = circle({0, 0}, radius, -135);
-    const auto at = [&](int ring, std::size_t i) {
-      const Vec2 mouth(middle + std::asin(rim[i].x / outer) * 180 / std::numbers::pi, height + rim[i].y);
-      const Vec2 p = mouth + (border[i] - mouth) * (double(ring) / rings);
-      return Vec3(outer * cosine(p.x), outer * sine(p.x), p.y);
-    };
-    const auto below = [&](std::size_t i) {
-      return Vec3(floor * cosine(middle) - rim[i].x * sine(middle), floor * sine(middle) + rim[i].x * cosine(middle),
-                  height + rim[i].y);
-    };
+  for (const RadialHole& hole : radial_holes(angles, height, radius)) {
     std::vector<Vec3> bottom;
-    for (std::size_t i = 0; i < border.size(); ++i) {
-      const std::size_t j = (i + 1) % border.size();
-      for (int ring = 0; ring < rings; ++ring) {
-        model.face({at(ring + 1, i), at(ring + 1, j), at(ring, j)});
-        model.face({at(ring + 1, i), at(ring, j), at(ring, i)});
-      }
-      model.face({at(0, i), at(0, j), below(j), below(i)});
-      bottom.push_back(below(i));
-      if (border[i].y == border[j].y) model.face({at(rings, j), at(rings, i), Vec3(0, 0, border[i].y)});
+    for (std::size_t i = 0; i < hole.border.size(); ++i) {
+      const std::size_t j = hole.next(i);
+      hole.add_cylinder(model, outer, i, false);
+      model.face({hole.at(outer, 0, i), hole.at(outer, 0, j), hole.at_floor(floor, j), hole.at_floor(floor, i)});
+      bottom.push_back(hole.at_floor(floor, i));
+      if (hole.is_on_end(i))
+        model.face({hole.at(outer, rings, j), hole.at(outer, rings, i), Vec3(0, 0, hole.border[i].y)});
     }
     model.face(bottom);
   }

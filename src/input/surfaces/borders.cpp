@@ -171,6 +171,9 @@ class BorderFinder {
     return height < 0;
   }
 
+  // A small fold in degrees, by its cosine.
+  static double turn_at(double cosine) { return std::sqrt(2 * std::max(0.0, 1 - cosine)) * degrees; }
+
   // The greatest fold in degrees of a face near a facet, about a border, the same way as at the border. The fold behind
   // a facet may be one of its neighbours': that of the other half of a quadrilateral.
   [[nodiscard]] double turn_of(int facet, const Vec3& along, bool convex) const {
@@ -180,7 +183,7 @@ class BorderFinder {
       if (cosine <= fading_cosine || is_convex(t, facets_.sides[t][side].neighbour) != convex) return;
       const auto [a, b] = facets_.ends_of(t, side);
       const double along_border = std::abs(glm::dot(b - a, along)) / glm::distance(a, b);
-      most = std::max(most, std::sqrt(2 * std::max(0.0, 1 - cosine)) * along_border);
+      most = std::max(most, turn_at(cosine) * along_border);
     };
     const int own = region_of_[facet];
     facets_.for_sides(facet, [&](int t, int side, int other) {
@@ -190,7 +193,7 @@ class BorderFinder {
         if (region_of_[next] == own) look(u, k);
       });
     });
-    return most * degrees;
+    return most;
   }
 
   // Whether facets fold at the side of a triangle by no more than those of the round face at one side of it do, to one
@@ -199,8 +202,7 @@ class BorderFinder {
   [[nodiscard]] bool goes_on(std::span<const int> triangles, const Vec3& along) const {
     const int side = side_between(triangles[0], triangles[1]);
     if (side < 0) return false;
-    const double cosine = facets_.cosine_of_fold(triangles[0], side);
-    const double fold = std::sqrt(2 * std::max(0.0, 1 - cosine)) * degrees * 0.99;
+    const double fold = 0.99 * turn_at(facets_.cosine_of_fold(triangles[0], side));
     return fold <= turn_of(facets_.facet_of[triangles[0]], along, is_convex(triangles[0], triangles[1])) ||
            fold <= turn_of(facets_.facet_of[triangles[1]], along, is_convex(triangles[1], triangles[0]));
   }
