@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -18,8 +19,10 @@ struct SlicePiece {
 
   [[nodiscard]] double width() const { return u[1] - u[0]; }
   [[nodiscard]] double slope() const { return (depth[1] - depth[0]) / width(); }
+  /// From the nearer end: beside the viewer, the other one may lie a billion metres away.
   [[nodiscard]] double depth_at(double at) const {
-    return at == u[1] ? depth[1] : depth[0] + (at - u[0]) / width() * (depth[1] - depth[0]);
+    const std::size_t end = at - u[0] <= u[1] - at ? 0 : 1;
+    return depth[end] + (at - u[end]) / width() * (depth[1] - depth[0]);
   }
 };
 

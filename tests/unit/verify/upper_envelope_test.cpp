@@ -56,5 +56,18 @@ TEST(UpperEnvelope, IsTheHighestOfAll) {
   }
 }
 
+// The floor below the viewer ends beside the plane of the viewer, where its image is almost infinite.
+TEST(SlicePiece, DepthIsExactBesideTheEndThatIsNear) {
+  const verify::SlicePiece floor{0, {-0x1p45, -0x1p4}, {0x1p45, -0x1p2}, {-1, -1}};
+  for (const double u : {-0x1p4, -17.0, -17.125, -1000.0}) {
+    const long double along =
+        (u - static_cast<long double>(floor.u[1])) / (floor.u[1] - static_cast<long double>(floor.u[0]));
+    const long double depth = floor.depth[1] + along * (floor.depth[1] - static_cast<long double>(floor.depth[0]));
+    EXPECT_NEAR(floor.depth_at(u), static_cast<double>(depth), 1e-12) << u;
+  }
+  EXPECT_EQ(floor.depth_at(floor.u[0]), floor.depth[0]);
+  EXPECT_EQ(floor.depth_at(floor.u[1]), floor.depth[1]);
+}
+
 }  // namespace
 }  // namespace epura::test::upper_envelope_test
