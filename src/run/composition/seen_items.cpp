@@ -236,6 +236,9 @@ std::vector<std::optional<SeenPoint>> seen_items(const world::World& world, cons
   return seen;
 }
 
+namespace {
+
+// The numbers of items that no view shows are added to `missing`.
 std::vector<std::vector<sheet::BalloonTarget>> balloons_by_view(
     const std::vector<std::vector<std::optional<SeenPoint>>>& seen, std::optional<std::size_t> main,
     std::vector<std::size_t>& missing) {
@@ -255,6 +258,35 @@ std::vector<std::vector<sheet::BalloonTarget>> balloons_by_view(
     else
       missing.push_back(item + 1);
   }
+  return balloons;
+}
+
+}  // namespace
+
+std::vector<world::Item> listed_items(const world::World& world, const scene::SceneDescription& scene,
+                                      const std::vector<std::vector<importer::BodyPart>>& parts, int sheet,
+                                      const Messages& messages) {
+  if (!scene.parts_list || scene.parts_list->sheet.value_or(1) != sheet + 1) return {};
+  world::ItemList list = world::find_items(world, scene.models, parts);
+  for (const std::string& name : list.surfaces)
+    messages.warn("a surface of '" + name +
+                  "' is not in the parts list: it is open, beside solids of the same part\n"
+                  "  hint: remove it from the file if it is no part of the model");
+  return std::move(list.items);
+}
+
+std::vector<std::vector<sheet::BalloonTarget>> balloons_of(
+    const scene::SceneDescription& scene, const SheetOfViews& views,
+    const std::vector<std::vector<std::optional<SeenPoint>>>& seen, const Messages& messages) {
+  if (!scene.parts_list || !scene.parts_list->balloons.value_or(true)) return {};
+  std::optional<std::size_t> main;
+  for (std::size_t i = 0; i < views.descriptions.size(); ++i)
+    if (views.descriptions[i].name.value == scene.parts_list->view.value) main = i;
+  std::vector<std::size_t> missing;
+  auto balloons = balloons_by_view(seen, main, missing);
+  for (const std::size_t item : views.items.empty() ? std::vector<std::size_t>() : missing)
+    messages.warn("no view shows item " + std::to_string(item) + ", '" + views.items[item - 1].name +
+                  "', and it has no balloon\n  hint: add a view that shows it, such as a section");
   return balloons;
 }
 

@@ -7,10 +7,20 @@
 
 #include "annotations/balloons.hpp"
 #include "drawing/drawing.hpp"
+#include "importer/assemble.hpp"
+#include "scene/description.hpp"
+#include "views/messages.hpp"
+#include "views/view_plan.hpp"
 #include "world/items.hpp"
 #include "world/world.hpp"
 
 namespace epura::pipeline {
+
+/// The items of the parts list, if it is on this sheet; `parts` are the bodies of each model. Warns of open surfaces
+/// that are in none.
+std::vector<world::Item> listed_items(const world::World& world, const scene::SceneDescription& scene,
+                                      const std::vector<std::vector<importer::BodyPart>>& parts, int sheet,
+                                      const Messages& messages);
 
 /// A point of an item that nothing hides.
 struct SeenPoint {
@@ -25,10 +35,10 @@ struct SeenPoint {
 std::vector<std::optional<SeenPoint>> seen_items(const world::World& world, const drawing::ViewDrawing& drawing,
                                                  const std::vector<world::Item>& items);
 
-/// By view: the balloons of the items, each in the view of `seen` that shows it best; in `main`, if it shows it. Views
-/// in which nothing was looked for are empty. The numbers of items that no view shows are added to `missing`.
-std::vector<std::vector<sheet::BalloonTarget>> balloons_by_view(
-    const std::vector<std::vector<std::optional<SeenPoint>>>& seen, std::optional<std::size_t> main,
-    std::vector<std::size_t>& missing);
+/// By view: the balloons of the items, each in the view of `seen` that shows it best; in that of the parts list, if it
+/// shows it. Views in which nothing was looked for are empty. Warns of items that no view shows.
+std::vector<std::vector<sheet::BalloonTarget>> balloons_of(
+    const scene::SceneDescription& scene, const SheetOfViews& views,
+    const std::vector<std::vector<std::optional<SeenPoint>>>& seen, const Messages& messages);
 
 }  // namespace epura::pipeline

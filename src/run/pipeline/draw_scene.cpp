@@ -26,7 +26,6 @@
 #include "pipeline/within_error.hpp"
 #include "sheet/line_styles.hpp"
 #include "sizes/anchors.hpp"
-#include "verify/verify.hpp"
 #include "view/condition.hpp"
 #include "views/arrow_views.hpp"
 #include "views/breaks.hpp"
@@ -76,11 +75,18 @@ struct PreparedSheet {
   std::vector<sheet::DimensionsInView> anchored;  ///< for lint
 };
 
+/// One way to draw a prepared sheet.
+struct Trial {
+  SheetPlan plan;
+  std::optional<std::size_t> max_left_out{};
+  bool verifies = false;  ///< whether its views are tested
+};
+
 // Whether somebody asks what the dimensions measure.
 bool needs_anchors(const RunOptions& options) { return options.lint || options.rebuild || options.keeps_drawings; }
 
 struct Attempt;
-using DrawSheet = std::function<FinishedSheet()>;
+using DrawSheet = std::function<FinishedSheet(const Trial&)>;
 
 /// The state of a run.
 struct Run {
@@ -95,7 +101,6 @@ struct Run {
   std::map<const world::World*, std::optional<KnownIntersections>> intersections{};
   PartsByModel known_parts{};
   std::vector<FileRequirements> required{};
-
   double facets = usual_facets;  ///< mm on paper by which those of imported surfaces are off
   std::optional<world::FacetHeights> heights{};
   std::string cut_before_sheets{};  ///< the first stage on the models that the time limit cut short
@@ -105,9 +110,6 @@ struct Run {
   void judge(const std::vector<report::ViewError>& errors) const;
   [[nodiscard]] bool has_imported() const;
   void find_heights(const world::World& world);
-  std::vector<std::vector<sheet::BalloonTarget>> balloons_of(
-      const SheetOfViews& views, const std::vector<std::vector<std::optional<SeenPoint>>>& seen) const;
-  [[nodiscard]] std::vector<world::Item> items_of(const world::World& world, const SheetOfViews& views) const;
   ViewTime time_of_next_view();
   std::vector<view::ProjectedScene> map_views(const WorldOfView& world, const SheetOfViews& views);
   void choose_by_world(SheetOfViews& views, const ShownWorlds& worlds,
@@ -115,11 +117,15 @@ struct Run {
   PreparedSheet prepare_sheet(const ShownWorlds& worlds, SheetOfViews views);
   [[nodiscard]] SheetPlan usual_plan(const ShownWorlds& worlds, PreparedSheet& sheet) const;
   SheetPlan plan_of(const ShownWorlds& worlds, PreparedSheet& sheet, const LayoutRequest& layout) const;
-  FinishedSheet draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared, const SheetPlan& plan,
-                           const std::optional<std::size_t>& max_left_out);
+  FinishedSheet draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared, const Trial& trial);
+  DrawSheet drawing(const ShownWorlds& worlds, PreparedSheet& sheet) {
+    return [this, &worlds, &sheet](const Trial& trial) { return draw_sheet(worlds, sheet, trial); };
+  }
   void finish(FinishedSheet& sheet, const SheetPlan& plan, std::vector<sheet::DimensionsInView> anchored);
-  Attempt attempt(const DrawSheet& draw);
-  std::optional<Attempt> attempt_if(const DrawSheet& draw, const std::function<bool(const FinishedSheet&)>& is_better);
+  Attempt attempt(const Trial& trial, const DrawSheet& draw);
+  void verify_kept(const ShownWorlds& worlds, PreparedSheet& sheet, Attempt& kept);
+  std::optional<Attempt> attempt_if(const Trial& trial, const DrawSheet& draw,
+                                    const std::function<bool(const FinishedSheet&)>& is_better);
   std::optional<Attempt> attempt_better(const ShownWorlds& worlds, PreparedSheet& sheet, const SheetPlan& usual);
   Attempt draw_in_best_layout(const ShownWorlds& worlds, PreparedSheet& sheet);
   PreparedSheet with_holes(const ShownWorlds& worlds, PreparedSheet sheet, HoleDimensions holes) const;
@@ -165,8 +171,8 @@ void Run::note(const ViewResult& result) {
     gathered.report.errors.push_back(*result.error);
     gathered.report.errors.back()[report::ErrorTerm::writing] = options.writing_error;
   }
-  if (!result.verification) return;
-  if (!gathered.report.verification || gathered.report.verification->errors() < result.verification->errors())
+  if (result.verification &&
+      (!gathered.report.verification || gathered.report.verification->errors() < result.verification->errors()))
     gathered.report.verification = result.verification;
 }
 
@@ -212,31 +218,6 @@ std::vector<view::ProjectedScene> Run::map_views(const WorldOfView& world, const
   return seen;
 }
 
-std::vector<std::vector<sheet::BalloonTarget>> Run::balloons_of(
-    const SheetOfViews& views, const std::vector<std::vector<std::optional<SeenPoint>>>& seen) const {
-  if (!scene.parts_list || !scene.parts_list->balloons.value_or(true)) return {};
-  std::optional<std::size_t> main;
-  for (std::size_t i = 0; i < views.descriptions.size(); ++i)
-    if (views.descriptions[i].name.value == scene.parts_list->view.value) main = i;
-  std::vector<std::size_t> missing;
-  auto balloons = balloons_by_view(seen, main, missing);
-  for (const std::size_t item : views.items.empty() ? std::vector<std::size_t>() : missing)
-    messages.warn("no view shows item " + std::to_string(item) + ", '" + views.items[item - 1].name +
-                  "', and it has no balloon\n  hint: add a view that shows it, such as a section");
-  return balloons;
-}
-
-// Of the parts list, if it is on this sheet.
-std::vector<world::Item> Run::items_of(const world::World& world, const SheetOfViews& views) const {
-  if (!scene.parts_list || scene.parts_list->sheet.value_or(1) != views.sheet + 1) return {};
-  world::ItemList list = world::find_items(world, scene.models, parts);
-  for (const std::string& name : list.surfaces)
-    messages.warn("a surface of '" + name +
-                  "' is not in the parts list: it is open, beside solids of the same part\n"
-                  "  hint: remove it from the file if it is no part of the model");
-  return std::move(list.items);
-}
-
 // However small the scale, the two lines of a thread are apart on paper.
 void set_least_threads(SheetOfViews& views, const SheetPlan& plan) {
   const double wide = sheet::line_widths(plan.furniture.paper).wide;
@@ -253,7 +234,7 @@ PreparedSheet Run::prepare_sheet(const ShownWorlds& worlds, SheetOfViews views) 
   find_breaks(views, seen, world);
   views.epura = epura_views(scene.sheets[static_cast<std::size_t>(views.sheet)], views, seen);
   expect_constructions(views, seen);
-  views.items = items_of(whole, views);
+  views.items = listed_items(whole, scene, parts, views.sheet, messages);
   state_requirements(scene, required, {views, seen, worlds});
   std::vector<Annotations> annotations = annotate(whole, scene, views, seen, worlds.surfaces());
   for (const Annotations& of_view : annotations) gathered.sizes.add(of_view.sizes);
@@ -277,11 +258,13 @@ SheetPlan Run::plan_of(const ShownWorlds& worlds, PreparedSheet& sheet, const La
   return plan_sheet(worlds.main(), scene, sheet.views, sheet.seen, sheet.annotations);
 }
 
-FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared, const SheetPlan& plan,
-                              const std::optional<std::size_t>& max_left_out) {
+FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared, const Trial& trial) {
   project_again(prepared, worlds);
   std::vector<view::ProjectedScene> seen = std::exchange(prepared.seen, {});
   SheetOfViews views = prepared.views;
+  if (!trial.verifies)
+    for (PlannedView& view : views.plans) view.options.verify.reset();
+  const SheetPlan& plan = trial.plan;
   const std::vector<Annotations>& annotations = prepared.annotations;
   const auto shown = [&](std::size_t view) -> const ShownWorld& { return worlds.of(views.descriptions[view]); };
   const auto world = [&](std::size_t view) -> const world::World& { return worlds.seen_in(views.descriptions[view]); };
@@ -326,7 +309,7 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
   const bool has_numbers = options.balloons == Balloons::characteristics;
   const auto numbers = has_numbers ? numbered_characteristics(required) : std::map<std::string, int>();
   FinishedSheet sheet = compose({worlds.main(), scene, views, plan, annotations, std::move(targets),
-                                 balloons_of(views, items_seen), numbers, max_left_out},
+                                 balloons_of(scene, views, items_seen, messages), numbers, trial.max_left_out},
                                 results, budget);
   finish(sheet, plan, prepared.anchored);
   gathered.answers += sheet.answers = std::move(answers_of_sheet);
@@ -359,21 +342,22 @@ void Run::finish(FinishedSheet& sheet, const SheetPlan& plan, std::vector<sheet:
 
 /// A sheet that is drawn, but not noted as a result yet.
 struct Attempt {
+  Trial trial;
   FinishedSheet sheet;
   HeldMessages told;
   Gathered gathered;
 };
 
 // Leaves `gathered` as it was. If the sheet cannot be drawn, the messages are told.
-Attempt Run::attempt(const DrawSheet& draw) {
+Attempt Run::attempt(const Trial& trial, const DrawSheet& draw) {
   const Messages outside = messages;
   const Gathered before = gathered;
   HeldMessages held;
   messages = held.messages();
   try {
-    FinishedSheet sheet = draw();
+    FinishedSheet sheet = draw(trial);
     messages = outside;
-    return {std::move(sheet), std::move(held), std::exchange(gathered, before)};
+    return {trial, std::move(sheet), std::move(held), std::exchange(gathered, before)};
   } catch (...) {
     messages = outside;
     gathered = before;
@@ -383,7 +367,7 @@ Attempt Run::attempt(const DrawSheet& draw) {
 }
 
 // Nothing unless it is complete and `is_better`; another sheet is drawn then.
-std::optional<Attempt> Run::attempt_if(const DrawSheet& draw,
+std::optional<Attempt> Run::attempt_if(const Trial& trial, const DrawSheet& draw,
                                        const std::function<bool(const FinishedSheet&)>& is_better) {
   constexpr double part = 0.4;  // of the time left
   const Messages outside = std::exchange(messages, silent_messages());
@@ -394,7 +378,7 @@ std::optional<Attempt> Run::attempt_if(const DrawSheet& draw,
     progress = whole;
   };
   try {
-    result = attempt(draw);
+    result = attempt(trial, draw);
   } catch (const OutOfTime&) {
   } catch (const Error&) {
     // Something is not on this paper. What is wrong on any paper is told of the other sheet.
@@ -418,7 +402,7 @@ std::optional<Attempt> Run::attempt_better(const ShownWorlds& worlds, PreparedSh
   for (const LayoutRequest& wish : better_layouts(description, usual)) {
     const SheetPlan better = plan_of(worlds, sheet, wish);
     if (!better.inside || better.crowded || !is_better(better, tried.value_or(usual))) continue;
-    if (auto found = attempt_if([&] { return draw_sheet(worlds, sheet, better, 0); }, is_complete)) {
+    if (auto found = attempt_if({better, 0}, drawing(worlds, sheet), is_complete)) {
       auto larger = better.chosen ? attempt_better(worlds, sheet, better) : std::nullopt;
       return larger ? std::move(larger) : std::move(found);
     }
@@ -445,7 +429,8 @@ SheetPlan Run::usual_plan(const ShownWorlds& worlds, PreparedSheet& sheet) const
 Attempt Run::draw_in_best_layout(const ShownWorlds& worlds, PreparedSheet& sheet) {
   const SheetPlan usual = usual_plan(worlds, sheet);
   std::optional<Attempt> best = attempt_better(worlds, sheet, usual);
-  if (!best) best = attempt([&] { return draw_sheet(worlds, sheet, usual, std::nullopt); });
+  // The only one if no features are dimensioned, as a rule, and tested at once.
+  if (!best) best = attempt({usual, std::nullopt, !dimensions_features(scene)}, drawing(worlds, sheet));
   const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.views.sheet)];
   for (const LayoutRequest& wish : roomier_layouts(description, usual)) {
     const auto faults = faults_of(best->sheet);
@@ -455,7 +440,7 @@ Attempt Run::draw_in_best_layout(const ShownWorlds& worlds, PreparedSheet& sheet
     if (progress.is_out_of_time() || (!is_sized && worlds.main().triangles.size() > max_drawn_again)) break;
     const SheetPlan plan = plan_of(worlds, sheet, wish);
     if (!plan.inside) continue;
-    auto other = attempt_if([&] { return draw_sheet(worlds, sheet, plan, faults.first); },
+    auto other = attempt_if({plan, faults.first}, drawing(worlds, sheet),
                             [&](const FinishedSheet& drawn) { return faults_of(drawn) < faults; });
     if (other) best = std::move(other);
   }
@@ -482,26 +467,42 @@ std::optional<HoleDimensions> other_holes(const FinishedSheet& drawn, const Prep
   return std::nullopt;
 }
 
+// Drawn again for it, which takes a small part of the time of the tests that other layouts are spared. Untested if time
+// runs out.
+void Run::verify_kept(const ShownWorlds& worlds, PreparedSheet& sheet, Attempt& kept) {
+  if (!options.verify || kept.trial.verifies) return;
+  kept.trial.verifies = true;
+  auto tested = attempt_if(kept.trial, drawing(worlds, sheet), [](const FinishedSheet&) { return true; });
+  if (tested) return void(kept = std::move(*tested));
+  kept.gathered.report.partial.add_stage("verifying");
+  mark_partial(kept.sheet, "verifying");
+}
+
 FinishedSheet Run::draw_best_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   PreparedSheet sheet = prepare_sheet(worlds, std::move(views));
   Attempt best = draw_in_best_layout(worlds, sheet);
+  std::string warning;
   if (const auto holes = other_holes(best.sheet, sheet); holes && !progress.is_out_of_time()) {
     const auto faults = faults_of(best.sheet);
     std::optional<Attempt> other;
-    const auto draw = [&] {
-      PreparedSheet changed = with_holes(worlds, sheet, *holes);
-      other = draw_in_best_layout(worlds, changed);
+    std::optional<PreparedSheet> changed;
+    const auto draw = [&](const Trial&) {
+      changed = with_holes(worlds, sheet, *holes);
+      other = draw_in_best_layout(worlds, *changed);
       return FinishedSheet{};
     };
-    if (attempt_if(draw, [&](const FinishedSheet&) { return faults_of(other->sheet) < faults; })) {
+    if (attempt_if({}, draw, [&](const FinishedSheet&) { return faults_of(other->sheet) < faults; })) {
       best = std::move(*other);
+      sheet = std::move(*changed);
       if (*holes == HoleDimensions::notes)
-        best.told.messages().warn(
+        warning =
             "the sheet has no room for the table of the holes, which have dimensions instead\n"
-            "  hint: use a larger sheet or a smaller scale");
+            "  hint: use a larger sheet or a smaller scale";
     }
   }
+  verify_kept(worlds, sheet, best);
   best.told.tell(messages);
+  if (!warning.empty()) messages.warn(warning);
   gathered = std::move(best.gathered);
   return std::move(best.sheet);
 }

@@ -2,11 +2,15 @@
 // `epura draw --verify`: what it says, where, and with which exit code.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "../output/json_reader.hpp"
 #include "app/draw_files.hpp"
+#include "base/file.hpp"
 #include "errors.hpp"
 #include "folder.hpp"
 #include "program.hpp"
+#include "words.hpp"
 
 namespace epura::test::verify_test {
 namespace {
@@ -19,6 +23,27 @@ TEST(Verify, ARightDrawingIsToldOnStandardError) {
   EXPECT_EQ(run.out, plain.out);
   EXPECT_TRUE(contains(run.err, " decided, 0 wrong, ")) << run.err;
   EXPECT_TRUE(contains(run.err, "95 % confidence")) << run.err;
+}
+
+// Of all layouts tried, only the sheet that is kept is tested, and is the one that is drawn without a test.
+TEST(Verify, TestsEachViewOfTheSheetOnce) {
+  const Folder folder;
+  const auto drawn = [&](std::vector<std::string> options) {
+    for (const char* option : {"--views", "front,top,left,isometric", "--dimensions", "auto"})
+      options.emplace_back(option);
+    return draw_files(draw_options_of(options), pipeline::silent_messages(), {});
+  };
+  const std::string tested = (folder / "tested.svg").string(), plain = (folder / "plain.svg").string();
+  const DrawnFiles with = drawn({sample("stairs.obj"), "--verify", "-o", tested});
+  const DrawnFiles without = drawn({sample("stairs.obj"), "-o", plain});
+  const auto laps = [](const DrawnFiles& files, const std::string& stage) {
+    return std::ranges::count_if(files.watch.laps(), [&](const auto& lap) { return lap.first == stage; });
+  };
+  EXPECT_GT(laps(without, "drawing"), 4);
+  EXPECT_EQ(laps(with, "verify"), 4);
+  ASSERT_TRUE(with.report.verification.has_value());
+  EXPECT_EQ(with.report.verification->wrong, 0);
+  EXPECT_EQ(read_file(tested), read_file(plain));
 }
 
 TEST(Verify, TheReportHoldsIt) {
