@@ -18,6 +18,7 @@
 #include "app/confinement.hpp"
 #include "app/describe.hpp"
 #include "app/draw_files.hpp"
+#include "app/hash.hpp"
 #include "app/jobs/placeholders.hpp"
 #include "app/resource_limit.hpp"
 #include "base/broken.hpp"

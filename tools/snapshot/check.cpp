@@ -12,10 +12,10 @@
 #include "app/console.hpp"
 #include "app/draw_files.hpp"
 #include "app/draw_options.hpp"
+#include "app/hash.hpp"
 #include "app/proof.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "base/sha256.hpp"
 #include "base/temporary_folder.hpp"
 #include "base/text.hpp"
 #include "base/utf8.hpp"
@@ -82,7 +82,7 @@ void gather_inputs(const Proof& proof, const Carried& carried, const CheckOption
                   "put it beside the drawing, or name its folder by --inputs");
     const std::string bytes = is_attached ? attached->second : read_file(file);
     const std::string place = is_attached ? " (carried by the drawing)" : " (" + file.string() + ")";
-    if (sha256(bytes) == input.sha256)
+    if (hash_of_bytes(bytes) == input.sha256)
       findings.add(input.file + place + ": the file that was drawn, SHA-256 " + input.sha256);
     else
       findings.object(input.file + place + ": is not the file that was drawn, whose SHA-256 is " + input.sha256);
@@ -98,7 +98,7 @@ void expect_results(const Proof& proof, const Carried& carried, Findings& findin
     const auto found = others.find(file);
     if (found == others.end())
       findings.object(file + " is missing");
-    else if (sha256(found->second) != hash)
+    else if (hash_of_bytes(found->second) != hash)
       findings.object(file + " was changed: its SHA-256 is not the one that the drawing states");
     others.erase(file);
   }

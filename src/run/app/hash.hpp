@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// SHA-256 (FIPS 180-4, 6.2), by which a file is recognised wherever it lies.
+// SHA-256, by which contents are recognised wherever they lie.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
 namespace epura {
 
 /// The digest of all bytes in 64 hexadecimal digits, small letters, as sha256sum prints it.
-std::string sha256(std::string_view bytes);
+std::string hash_of_bytes(std::string_view bytes);
+
+/// The hash of a file's contents. Throws Error{input} if it cannot be read.
+std::string hash_of_file(const std::filesystem::path& path);
 
 }  // namespace epura

@@ -8,9 +8,9 @@
 
 #include "app/draw_files.hpp"
 #include "app/draw_options.hpp"
+#include "app/hash.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
-#include "base/sha256.hpp"
 #include "base/text.hpp"
 #include "importer/bounds.hpp"
 #include "importer/read_model.hpp"
@@ -256,10 +256,10 @@ std::vector<Attachment> proof_of(const DrawOptions& options, const scene::SceneD
     proof.options.emplace_back(name, names_file(*row, value) ? name_below(folder, value) : value);
   }
   std::vector<Attachment> attachments = results_of(drawn, folder);
-  for (const Attachment& result : attachments) proof.results.emplace_back(result.name, sha256(result.bytes));
+  for (const Attachment& result : attachments) proof.results.emplace_back(result.name, hash_of_bytes(result.bytes));
   for (const fs::path& file : files) {
     std::string bytes = read_file(file);
-    ProofInput& input = proof.inputs.emplace_back(ProofInput{name_below(folder, file.string()), sha256(bytes)});
+    ProofInput& input = proof.inputs.emplace_back(ProofInput{name_below(folder, file.string()), hash_of_bytes(bytes)});
     if (options.vector.proof != output::Proof::model && !is_scene(file.string())) continue;
     input.attachment = free_name(file.filename().string(), attachments);
     attachments.push_back(

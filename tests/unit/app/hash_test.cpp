@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "base/sha256.hpp"
+#include "app/hash.hpp"
 
 #include <gtest/gtest.h>
 
-namespace epura::test::sha256_test {
+namespace epura::test::hash_test {
 namespace {
 
 // FIPS 180-2, appendix B, and the NIST example of the empty text.
-TEST(Sha256, DigestsTheExamplesOfTheStandard) {
-  EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
-  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+TEST(Hash, DigestsTheExamplesOfTheStandard) {
+  EXPECT_EQ(hash_of_bytes(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(hash_of_bytes("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(hash_of_bytes("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
             "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
-  EXPECT_EQ(sha256(std::string(1'000'000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+  EXPECT_EQ(hash_of_bytes(std::string(1'000'000, 'a')),
+            "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
 }  // namespace
-}  // namespace epura::test::sha256_test
+}  // namespace epura::test::hash_test

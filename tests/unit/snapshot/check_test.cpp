@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <functional>
 
-#include "base/sha256.hpp"
+#include "app/hash.hpp"
 #include "errors.hpp"
 #include "folder.hpp"
 #include "program.hpp"
@@ -126,8 +126,8 @@ TEST_P(Carried, ProvesADrawingByTheModelInIt) {
   std::filesystem::remove(drawn.folder / "box.obj");
   const Outcome run = drawn.check();
   EXPECT_EQ(run.code, 0) << run.out << run.err;
-  EXPECT_TRUE(contains(
-      run.out, "box.obj (carried by the drawing): the file that was drawn, SHA-256 " + sha256(box_of_height("20"))))
+  EXPECT_TRUE(contains(run.out, "box.obj (carried by the drawing): the file that was drawn, SHA-256 " +
+                                    hash_of_bytes(box_of_height("20"))))
       << run.out;
   EXPECT_TRUE(contains(run.out, "the same file, byte for byte")) << run.out;
   EXPECT_TRUE(contains(run.out, " 0 wrong")) << run.out;
@@ -214,8 +214,8 @@ TEST(Check, FindsChangedAttachments) {
 TEST(Check, FindsAnotherModelWithItsOwnHash) {
   const Drawn drawn("box.pdf", "model");
   std::string changed = with_attachment(drawn.bytes(), "box.obj", "v 40 30 20", "v 40 30 21");
-  changed = with_attachment(changed, "proof.toml", sha256(box_of_height("20")),
-                            sha256(replaced(box_of_height("20"), "v 40 30 20", "v 40 30 21")));
+  changed = with_attachment(changed, "proof.toml", hash_of_bytes(box_of_height("20")),
+                            hash_of_bytes(replaced(box_of_height("20"), "v 40 30 20", "v 40 30 21")));
   expect_found(drawn.check_changed(changed), "layer front/visible is not as drawn now");
 }
 

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "app/jobs/placeholders.hpp"
 
-#include <xxhash.h>
-
 #include <algorithm>
 #include <array>
 #include <filesystem>
 
+#include "app/hash.hpp"
 #include "base/error.hpp"
-#include "base/file.hpp"
 #include "base/text.hpp"
 #include "importer/read_model.hpp"
 
@@ -94,19 +92,5 @@ std::string filled_path(std::string_view text, const PlaceholderValues& values) 
   const bool leads_to_root = path.starts_with('/') && !text.starts_with('/');
   return fs::path(leads_to_root ? path.substr(1) : path).lexically_normal().string();
 }
-
-std::string hash_of_bytes(std::string_view bytes) {
-  constexpr std::string_view digits = "0123456789abcdef";
-  XXH128_canonical_t canonical;
-  XXH128_canonicalFromHash(&canonical, XXH3_128bits(bytes.data(), bytes.size()));
-  std::string text;
-  for (const unsigned char byte : canonical.digest) {
-    text += digits[byte / 16];
-    text += digits[byte % 16];
-  }
-  return text;
-}
-
-std::string hash_of_file(const std::filesystem::path& path) { return hash_of_bytes(read_file(path)); }
 
 }  // namespace epura

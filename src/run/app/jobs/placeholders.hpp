@@ -20,7 +20,7 @@ bool has_placeholder(std::string_view text);
 void expect_known_placeholders(std::string_view text, const std::string& where);
 
 /// The values for a model: its file name without extension, the path of its folder as given (without `..` and the root,
-/// so that outputs stay in their folder), its number from 1, and a hash of its contents in 32 hexadecimal digits.
+/// so that outputs stay in their folder), its number from 1, and the SHA-256 of its contents.
 PlaceholderValues values_for(const std::string& model, std::size_t number);
 
 /// Returns the text with values in place of placeholders. Throws Error{input} if a file cannot be read for its hash.
@@ -28,11 +28,5 @@ std::string filled(std::string_view text, const PlaceholderValues& values);
 
 /// Returns the path with the placeholder {folder} that was replaced by nothing tidied up: "out//x.pdf" is "out/x.pdf".
 std::string filled_path(std::string_view text, const PlaceholderValues& values);
-
-/// 32 hexadecimal digits.
-std::string hash_of_bytes(std::string_view bytes);
-
-/// The hash of a file's contents. Throws Error{input} if it cannot be read.
-std::string hash_of_file(const std::filesystem::path& path);
 
 }  // namespace epura
