@@ -68,6 +68,18 @@ int side_of(const ContourPlane& plane, const mesh::Mesh& mesh, int triangle) {
   return sign_of(low + high);
 }
 
+// Whether the viewer sees a triangle turn the other way than its surface, and not by rounding: chords lie below the
+// surface, so what is in front of a contour may be seen beyond it.
+bool is_folded(const mesh::Mesh& mesh, int triangle, const surfaces::PartSurface& surface, int side,
+               const Viewer& viewer, double tolerance) {
+  const auto [a, b, c] = mesh.triangle(triangle);
+  const std::array<Vec3, 3> corners{mesh.point(a), mesh.point(b), mesh.point(c)};
+  Turn own, seen;
+  own.add(corners, surfaces::normal_near(surface, corners[0]));
+  seen.add(corners, viewer.seen_from(corners[0]));
+  return side * seen.outwards < 0 && own.is_told(tolerance);
+}
+
 }  // namespace
 
 std::vector<signed char> facing_by_surface(const world::Placed& placed, const projection::Projection& projection) {
@@ -90,8 +102,9 @@ std::vector<signed char> facing_by_surface(const world::Placed& placed, const pr
     const Turn& polygon = turns.of_polygon[static_cast<std::size_t>(mesh.polygon[t])];
     const bool decides = mesh.report.misoriented_edges > 0 && polygon.is_told(part.tolerance);
     const Turn& turn = decides ? polygon : turns.of_face[face];
-    const int side = side_of(*planes[face], mesh, static_cast<int>(t));
-    facing[t] = static_cast<signed char>(mirrored * sign_of(turn.outwards) * side);
+    const int side = sign_of(turn.outwards) * side_of(*planes[face], mesh, static_cast<int>(t));
+    if (!is_folded(mesh, static_cast<int>(t), part.faces[face].surface, side, viewer, part.tolerance))
+      facing[t] = static_cast<signed char>(mirrored * side);
   }
   return facing;
 }

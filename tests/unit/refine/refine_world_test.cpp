@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
 
+#include "base/nearest.hpp"
 #include "cut/cut_world.hpp"
 #include "scene/cutting_plane.hpp"
 #include "shapes.hpp"
@@ -153,6 +155,103 @@ TEST(RefineWorld, ContoursPassThroughVerticesThatStandOut) {
         visible += glm::distance(s.from, s.to) * drawn.unit;
     EXPECT_NEAR(visible, 2 * height * std::sin(60 * degree), 0.05) << off;
     EXPECT_NEAR(length_of_contours(drawn, false), 0, 0.05) << off;
+  }
+}
+
+Vec2 on_page(const Result& drawn, const Vec3& point) {
+  const Vec4 page = drawn.drawing.world_to_page * Vec4(point, 1);
+  return Vec2(page) / page.w;
+}
+
+using Polygons = std::vector<std::vector<Vec3>>;
+
+// What is left of a convex body in front of a plane: normal . p < offset.
+Polygons clipped(const Polygons& body, const Vec3& normal, double offset) {
+  Polygons left;
+  std::vector<Vec3> cap;
+  for (const std::vector<Vec3>& face : body) {
+    std::vector<Vec3> part;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Vec3 p = face[i], q = face[(i + 1) % face.size()];
+      const double from = offset - glm::dot(normal, p), to = offset - glm::dot(normal, q);
+      if (from > 0) part.push_back(p);
+      if (from * to < 0) cap.push_back(part.emplace_back(p + from / (from - to) * (q - p)));
+    }
+    if (!part.empty()) left.push_back(part);
+  }
+  Vec3 middle(0);
+  for (const Vec3& p : cap) middle += p / static_cast<double>(cap.size());
+  const Vec3 one = glm::normalize(cap.at(0) - middle), other = glm::cross(normal, one);
+  std::ranges::sort(cap, {}, [&](const Vec3& p) { return std::atan2(glm::dot(p - middle, other), glm::dot(p, one)); });
+  std::vector<Vec3> rim;  // each point is that of two faces
+  for (const Vec3& p : cap)
+    if (rim.empty() || glm::distance(rim.back(), p) > 1e-9) rim.push_back(p);
+  if (glm::distance(rim.front(), rim.back()) < 1e-9) rim.pop_back();
+  left.push_back(rim);
+  return left;
+}
+
+// A hexagon, 10 from its middle to its flats, whose upper corners are cut off by a cone of facets: where they meet the
+// flats, vertices lie on chords.
+Polygons chamfered_hexagon(int sides) {
+  const Shape cone = frustum(14, 9.5, 2.6, sides);
+  Polygons body;
+  for (const std::vector<int>& face : cone.faces)
+    for (body.emplace_back(); const int v : face) {
+      const Point& p = cone.points[static_cast<std::size_t>(v)];
+      body.back().emplace_back(p[0], p[1], p[2]);
+    }
+  for (int i = 0; i < 6; ++i) {
+    const double turn = (30.01 + 60 * i) * degree;  // no generator meets a corner
+    body = clipped(body, {std::cos(turn), std::sin(turn), 0}, 10);
+  }
+  return body;
+}
+
+Shape shape_of(const Polygons& body) {
+  Shape shape;
+  for (const std::vector<Vec3>& face : body)
+    for (shape.faces.emplace_back(); const Vec3& p : face) {
+      const auto same = std::ranges::find_if(
+          shape.points, [&](const Point& q) { return glm::distance(Vec3(q[0], q[1], q[2]), p) < 1e-9; });
+      shape.faces.back().push_back(static_cast<int>(same - shape.points.begin()));
+      if (same == shape.points.end()) shape.points.push_back({p.x, p.y, p.z});
+    }
+  return shape;
+}
+
+// Everywhere on the outline of a convex body there is ink: where one face is seen from outside and the next is not.
+TEST(RefineWorld, LeavesNoGapsInOutlinesOfFacetsOnChords) {
+  for (const int sides : {32, 48, 64}) {
+    const Shape shape = shape_of(chamfered_hexagon(sides));
+    const auto at = [&](int v) {
+      const Point& p = shape.points[static_cast<std::size_t>(v)];
+      return Vec3(p[0], p[1], p[2]);
+    };
+    for (int i = 0; i < 24; ++i) {
+      const Vec3 towards = tilted(50 + i, 17 * i);
+      std::map<std::array<int, 2>, int> seen;  // by directed side: whether its face is seen
+      for (const std::vector<int>& face : shape.faces)
+        for (std::size_t i = 0; i < face.size(); ++i)
+          seen[{face[i], face[(i + 1) % face.size()]}] =
+              glm::dot(glm::cross(at(face[1]) - at(face[0]), at(face[2]) - at(face[0])), towards) > 0 ? 1 : 0;
+      const projection::Projection view = orthographic(towards);
+      const world::World world = recognised(world_of(shape));
+      ASSERT_EQ(world.models[0].part->faces.size(), 9U);
+      const Result drawn = draw_refined(world, view);
+      double farthest = 0;
+      for (const auto& [side, is_seen] : seen) {
+        if (is_seen == 0 || seen.at({side[1], side[0]}) == 1) continue;
+        for (const double t : {0.1, 0.3, 0.5, 0.7, 0.9}) {
+          const Vec2 place = on_page(drawn, at(side[0]) + t * (at(side[1]) - at(side[0])));
+          double nearest = HUGE_VAL;
+          for (const drawing::Segment& s : drawn.drawing.segments)
+            if (s.visible) nearest = std::min(nearest, distance_to_segment(place, s.from, s.to) * drawn.unit);
+          farthest = std::max(farthest, nearest);
+        }
+      }
+      EXPECT_LT(farthest, 0.06) << sides << " sides, view " << i;
+    }
   }
 }
 
