@@ -154,7 +154,10 @@ class ExtentFinder {
 
  public:
   explicit ExtentFinder(const world::World& world)
-      : world_(world), size_(glm::length(world.box.size())), of_round_(world.points.size(), 0) {
+      : world_(world),
+        size_(glm::length(world.box.size())),
+        of_round_(world.points.size(), 0),
+        of_flat_(world.points.size()) {
     for (const world::Placed& placed : world.models) parts_.push_back(world::place_part(placed));
     const Box box = box_of_faces(world);
     for (int end = 0; end < 6; ++end) farthest_[end] = glm::dot(direction_of(end), end < 3 ? box.min : box.max);
@@ -233,11 +236,10 @@ class ExtentFinder {
         if (number >= 0 && world::is_round(parts_[model]->faces[number].surface.kind)) faces[t - first] = number;
       }
     }
-    for (int t = first; t < last; ++t) {
-      const int face = faces[t - first];
-      for (int end = 0; end < 6; ++end) add_vertices(t, face < 0, end);
-      if (face >= 0) add_facet(parts_[model]->faces[face], turned[face] != 0, corners_of(world_, t));
-    }
+    for (int t = first; t < last; ++t)
+      for (int end = 0; end < 6; ++end) add_vertices(t, faces[t - first] < 0, end);
+    for (int t = first; t < last; ++t)
+      if (const int face = faces[t - first]; face >= 0) add_facet(parts_[model]->faces[face], turned[face] != 0, t);
   }
 
   // The corners of a triangle that count themselves. On the rims of round faces, those of planes across the direction
@@ -249,7 +251,8 @@ class ExtentFinder {
     const bool is_flat =
         is_plane && glm::length(normal - glm::dot(normal, direction) * direction) <= parallel * glm::length(normal);
     for (int k = 0; k < 3; ++k) {
-      const int mark = of_round_[world_.triangles[triangle][k]];
+      const int vertex = world_.triangles[triangle][k], mark = of_round_[vertex];
+      if (is_flat) of_flat_[vertex][end % 3] = true;
       if (mark == whole && !is_flat) continue;
       const double value = glm::dot(direction, corners[k]);
       if (mark >= first_interrupted) {
@@ -273,14 +276,24 @@ class ExtentFinder {
     }
   }
 
-  void add_facet(const PartFace& face, bool turned, const Triangle& corners) {
+  // Whether a facet ends, with a side, in the flat that lies farthest in the direction of its corners: above a chord of
+  // a hyperbola, its cone lies beyond the flat of the hexagon.
+  [[nodiscard]] bool ends_in_flat(int triangle, int end, double top) const {
+    return std::ranges::count_if(world_.triangles[triangle], [&](int v) {
+             return of_flat_[v][end % 3] && glm::dot(direction_of(end), world_.points[v]) >= top - same_point * size_;
+           }) >= 2;
+  }
+
+  void add_facet(const PartFace& face, bool turned, int triangle) {
+    const Triangle corners = corners_of(world_, triangle);
     const double rise = surfaces::max_sagittas * face.sagitta + face.residual + same_point * size_;
     for (int end = 0; end < 6; ++end) {
       const Vec3 direction = direction_of(end);
       double top = -HUGE_VAL;
       for (const Vec3& corner : corners) top = std::max(top, glm::dot(direction, corner));
       if (top + rise < farthest_[end]) continue;
-      if (const auto reach = Outward(face, direction).reach_over(corners)) add(end, {*reach, &face, turned});
+      if (const auto reach = Outward(face, direction).reach_over(corners))
+        add(end, {ends_in_flat(triangle, end, top) ? std::min(*reach, top) : *reach, &face, turned});
     }
   }
 
@@ -334,6 +347,7 @@ class ExtentFinder {
   const world::World& world_;
   double size_;
   std::vector<int> of_round_;  ///< by vertex: whether it is on a round face, and so does not count itself
+  std::vector<std::array<bool, 3>> of_flat_;  ///< by vertex and axis: whether it is on a plane across the axis
   std::vector<Interrupted> interrupted_;
   std::vector<std::optional<world::PlacedPart>> parts_;
   std::array<double, 6> farthest_{};

@@ -149,6 +149,38 @@ TEST(TrueExtents, AFlangeAsWideAsTheShaftIsNoDiameter) {
   expect_extent(extents[1], -40, 40, length);
 }
 
+// The chamfer of a nut: a cone of 30 degrees, whose hyperbolas have a chord, not a corner, in the middle of each flat.
+TEST(TrueExtents, FlatsOfAChamferedHexagonAreNoDiameter) {
+  constexpr int chords = 11, count = 6 * chords;
+  constexpr double flats = 17, top = 15;
+  Part nut;
+  std::vector<int> upper, lower;
+  for (int i = 0; i < count; ++i) {
+    const double angle = pi / 3 * i / chords, from_flat = pi / 3 * (i % chords) / chords - pi / 6;
+    const double radius = flats / 2 / std::cos(from_flat);
+    const Vec2 way(std::cos(angle), std::sin(angle));
+    upper.push_back(nut.add(Vec3(top / 2 * way, 8)));
+    nut.add(Vec3(radius * way, 8 - (radius - top / 2) * std::tan(pi / 6)));
+    if (i % chords == 0) lower.insert(lower.begin(), nut.add(Vec3(radius * way, 0)));
+  }
+  nut.faces = {upper, lower};
+  for (int i = 0; i < count; ++i) {
+    const int a = upper[i], b = upper[(i + 1) % count];
+    nut.faces.push_back({a, a + 1, b + 1});
+    nut.faces.push_back({a, b + 1, b});
+  }
+  for (int flat = 0; flat < 6; ++flat) {
+    std::vector<int> wall{lower[5 - flat], lower[(10 - flat) % 6]};
+    for (int i = chords; i >= 0; --i) wall.push_back(upper[(chords * flat + i) % count] + 1);
+    nut.faces.push_back(wall);
+  }
+  const world::World world = world_of(nut);
+  ASSERT_EQ(world.models[0].part->faces.size(), 9u);
+  const auto extents = features::true_extents(world);
+  expect_extent(extents[0], -flats / std::sqrt(3), flats / std::sqrt(3), length);
+  expect_extent(extents[1], -flats / 2, flats / 2, length);
+}
+
 TEST(TrueExtents, WithoutFacesVerticesCount) {
   const auto mesh = std::make_shared<const mesh::Mesh>(shaft.mesh());
   const world::World world = world::make_world({{mesh, Mat4(1)}});
