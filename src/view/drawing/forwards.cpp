@@ -13,10 +13,14 @@ namespace epura::drawing {
 
 namespace {
 
-// Whether a line turns back by 90 degrees or more at any of its points.
+// Whether a line turns back by 90 degrees or more at one of its points.
+bool turns_back(std::span<const Vec2> points, std::size_t at) {
+  return glm::dot(points[at] - points[at - 1], points[at + 1] - points[at]) < 0;
+}
+
 bool turns_back(std::span<const Vec2> points) {
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
-    if (glm::dot(points[i] - points[i - 1], points[i + 1] - points[i]) < 0) return true;
+    if (turns_back(points, i)) return true;
   return false;
 }
 
@@ -34,9 +38,11 @@ bool lies_on(const Vec2& from, const Vec2& to, std::span<const Vec2> line, doubl
   return true;
 }
 
-// Whether a line, without its ends in the opposite order, is shorter and has the same ink within a distance.
+// Whether a line that turns back at one end and forth at the other is shorter with what lies between in the opposite
+// order, and has the same ink within a distance.
 bool is_better_reversed(std::span<const Vec2> line, double distance) {
   const std::size_t last = line.size() - 1;
+  if (!turns_back(line, 1) || !turns_back(line, last - 1)) return false;
   const double now = glm::distance(line[0], line[1]) + glm::distance(line[last - 1], line[last]);
   const double then = glm::distance(line[0], line[last - 1]) + glm::distance(line[1], line[last]);
   if (!(now - then > rounding_part * now)) return false;

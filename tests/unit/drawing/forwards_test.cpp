@@ -45,6 +45,12 @@ TEST(Forwards, ALineThatTurnsBackOnceStays) {
   EXPECT_EQ(go_forwards(cusp, false, 0.05), cusp);
 }
 
+// A web that is tangent to a boss: the rim comes to the long edge, and what lies between would be shorter reversed.
+TEST(Forwards, AnArcThatEndsInATangentStays) {
+  const Points arc_and_tangent{{3.765, -1.394}, {2.437, -0.998}, {1.178, -0.532}, {0, 0}, {60.481, -30.034}};
+  EXPECT_EQ(go_forwards(arc_and_tangent, false, 0.06), arc_and_tangent);
+}
+
 TEST(Forwards, TeethHigherThanTheDistanceStay) {
   const auto teeth = [](double height) {
     return Points{{0, 0}, {1, height}, {0.8, 0}, {2, height}, {1.8, 0}, {3, height}};
