@@ -38,6 +38,14 @@ struct BridgedGaps {
   Vec3 place;     ///< position of the widest one
 };
 
+/// Two bodies that overlap in the cut. The face of the second one is only what is outside of the first.
+struct OverlappingBodies {
+  int model, body;              ///< the inner one, as a screw
+  int under_model, under_body;  ///< the one around it
+  double area;                  ///< of what they have in common there
+  Vec3 place;
+};
+
 struct CutWorld {
   /// Vertices of the files keep their numbers, and are followed by those that the plane creates; likewise triangles of
   /// cut faces and their polygons come last. The box is that of the uncut world. Of an aligned section, the world has
@@ -46,6 +54,7 @@ struct CutWorld {
   std::vector<WorldCutFace> faces;   ///< sorted by model and body
   std::vector<OpenOutline> open;     ///< likewise
   std::vector<BridgedGaps> bridged;  ///< likewise
+  std::vector<OverlappingBodies> overlaps;
   /// Triangles of bodies that the surface passes through and leaves whole (World::styles), by region of the surface.
   std::vector<std::vector<int>> uncut;
   double moved = 0;  ///< largest distance between outlines on recognised surfaces and those of their facets

@@ -31,6 +31,15 @@ inline constexpr double max_turn_of_arc = 0.4143;
 inline constexpr double min_outline = 50;  ///< length of the outline at each end, as a multiple of the gap
 inline constexpr double min_room = 3;      ///< distance to the next end, as a multiple of the gap
 
+// Bodies that overlap
+
+/// Of the smaller cut face, in common: facets of a shaft and of its bore overlap by less.
+inline constexpr double least_overlap = 0.005;
+/// Of the whole size: parts of outlines nearer to each other are one.
+inline constexpr double same_outline = 1e-9;
+/// From an outline, as a multiple of that: where it is asked on which side an area is.
+inline constexpr double beside_outline = 10;
+
 // Paths of sections
 
 /// Each plane of a path cuts all models, split at all steps: time and memory grow with the square.

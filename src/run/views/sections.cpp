@@ -37,6 +37,13 @@ void warn_about(const Messages& messages, const CutSection& section, const cut::
                 " in its outline in section " + section.surface.plane.name + "; bridged for hatching");
 }
 
+void warn_about(const Messages& messages, const CutSection& section, const cut::OverlappingBodies& overlap) {
+  messages.warn(body_name(section, overlap.model, overlap.body) + " and " +
+                body_name(section, overlap.under_model, overlap.under_body) + " overlap in section " +
+                section.surface.plane.name + " by an area of " + format_rounded(overlap.area, 4) + " at " +
+                format_point(overlap.place) + "; the second one is drawn as if it ended there");
+}
+
 template <class Found>
 void warn_about_some(const Messages& messages, const CutSection& section, const std::vector<Found>& found,
                      const std::string& rest) {
@@ -48,6 +55,7 @@ void warn_about_some(const Messages& messages, const CutSection& section, const 
 void warn_about(const Messages& messages, const CutSection& section) {
   warn_about_some(messages, section, section.cut.open, " more bodies have open outlines");
   warn_about_some(messages, section, section.cut.bridged, " more bodies have gaps in outlines, bridged for hatching");
+  warn_about_some(messages, section, section.cut.overlaps, " more pairs of bodies overlap");
 }
 
 }  // namespace

@@ -275,7 +275,7 @@ TEST(CutWorld, CavitiesAreHolesAndNestedBodiesAreNot) {
   const world::World nested = world_of(joined(outside, inside));
   const cut::CutWorld two = cut(nested, {0, 5, 0}, {0, -1, 0});
   ASSERT_EQ(two.faces.size(), 2U);
-  EXPECT_DOUBLE_EQ(cut_area(nested, two), 100 + 36);
+  EXPECT_DOUBLE_EQ(cut_area(nested, two), 100) << "the inner one covers the outer one";
 
   const world::World rattle = world_of(joined(joined(outside, inside_out(inside)), ball));
   const cut::CutWorld three = cut(rattle, {0, 5, 0}, {0, -1, 0});
@@ -295,7 +295,7 @@ TEST(CutWorld, OfOtherModelsAndTouchingBoxesEachHasItsFace) {
   const cut::CutWorld faces = cut(world, {0, 0.5, 0}, {0, -1, 0});
   ASSERT_EQ(faces.faces.size(), 3U);
   for (int m = 0; m < 3; ++m) EXPECT_EQ(faces.faces[m].model, m);
-  EXPECT_DOUBLE_EQ(cut_area(world, faces), 1 + 2 + 1.5);
+  EXPECT_DOUBLE_EQ(cut_area(world, faces), 1 + 2 + 1.5 - 2 * 0.25) << "what two have in common is cut once";
 }
 
 TEST(CutWorld, AFaceInThePlaneIsNotCut) {
