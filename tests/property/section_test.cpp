@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "drawing/cut_faces.hpp"
+#include "refine/refine_world.hpp"
 #include "shapes.hpp"
 
 namespace epura::test::section_test {
@@ -140,15 +141,36 @@ TEST(Section, FacesOnPaperAreSeenFromInFrontAndWithinTheWindow) {
   projection::Projection front = orthographic({0, -1, 0});
   view::ProjectedScene view = view::project_scene(cut.world, front, {});
   const double unit = 1 / (view.map.normalisation * view.map.normalisation);
-  const auto faces = drawing::cut_faces_on_paper(cut.faces, plane, view, {1, Vec2(0)});
+  const auto faces = drawing::cut_faces_on_paper(cut, plane, cut.world, view, {1, Vec2(0)});
   ASSERT_EQ(faces.size(), 1U);
   EXPECT_NEAR(ring_area(faces[0].rings.at(0)) * unit, 16, 1e-12);
   view::ProjectedScene behind = view::project_scene(cut.world, orthographic({0, 1, 0.5}), {});
-  EXPECT_TRUE(drawing::cut_faces_on_paper(cut.faces, plane, behind, {1, Vec2(0)}).empty());
+  EXPECT_TRUE(drawing::cut_faces_on_paper(cut, plane, cut.world, behind, {1, Vec2(0)}).empty());
   front.window = projection::Window{{1, 1}, {3, 9}};
   view::ProjectedScene part = view::project_scene(cut.world, front, {});
-  EXPECT_NEAR(ring_area(drawing::cut_faces_on_paper(cut.faces, plane, part, {1, Vec2(0)}).at(0).rings.at(0)) * unit, 6,
-              1e-12);
+  EXPECT_NEAR(
+      ring_area(drawing::cut_faces_on_paper(cut, plane, cut.world, part, {1, Vec2(0)}).at(0).rings.at(0)) * unit, 6,
+      1e-12);
+}
+
+// Contours on the surfaces of a model are more vertices: those of the next model have other numbers in the view.
+TEST(Section, FacesOfSeveralModelsAreThoseOfTheirCuts) {
+  const Shape post = frustum(10, 10, 30, 24);
+  const world::World world = recognised(world_of({post, post.moved(25, 3, 0), post.moved(50, -3, 0)}));
+  const scene::CuttingPlane plane = plane_at({0, 2, 0}, {0, -1, 0});
+  const cut::CutWorld cut = cut::cut_world(world, plane);
+  const projection::Projection aside = orthographic({0.3, -1, 0.4});
+  const auto refined = refine::refine_world(cut.world, aside);
+  ASSERT_TRUE(refined);
+  ASSERT_GT(refined->first_vertex[1], cut.world.first_vertex[1]);
+  view::ProjectedScene whole = view::project_scene(cut.world, aside, {});
+  view::ProjectedScene split = view::project_scene(*refined, aside, {});
+  const auto expected = drawing::cut_faces_on_paper(cut, plane, cut.world, whole, {1, Vec2(0)});
+  const auto faces = drawing::cut_faces_on_paper(cut, plane, *refined, split, {1, Vec2(0)});
+  ASSERT_EQ(faces.size(), 3U);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    EXPECT_NEAR(ring_area(faces[i].rings.at(0)), ring_area(expected[i].rings.at(0)),
+                1e-3 * ring_area(expected[i].rings.at(0)));
 }
 
 // --- planes beside vertices

@@ -407,7 +407,7 @@ DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   double moved = 0;
   if (const CutSection* section = input_.section) {
     moved = section->cut.moved;
-    lines.drawing.cuts.faces = drawing::cut_faces_on_paper(section->cut.faces, section->surface.plane, view_, paper);
+    lines.drawing.cuts.faces = drawing::cut_faces_on_paper(section->cut, section->surface.plane, world_, view_, paper);
     for (drawing::CutFace& face : lines.drawing.cuts.faces) face.model = input_.world.number_in_scene(face.model);
     lines.drawing.cuts.before =
         drawing::before_cuts_on_paper(input_.world, section->cut.uncut, section->surface, lines.drawing.world_to_page);

@@ -51,13 +51,16 @@ std::vector<PaperTriangle> before_cuts_on_paper(const world::World& world, const
   return triangles;
 }
 
-std::vector<CutFace> cut_faces_on_paper(const std::vector<cut::WorldCutFace>& faces, const scene::CuttingPlane& plane,
-                                        view::ProjectedScene& view, const view::PaperMap& paper) {
+std::vector<CutFace> cut_faces_on_paper(const cut::CutWorld& cut, const scene::CuttingPlane& plane,
+                                        const world::World& world, view::ProjectedScene& view,
+                                        const view::PaperMap& paper) {
   std::vector<CutFace> seen;
   if (!is_seen(plane, view.projection)) return seen;
-  for (const cut::WorldCutFace& face : faces) {
+  for (const cut::WorldCutFace& face : cut.faces) {
     CutFace on_paper{face.model, face.body, {}};
-    for (const std::vector<int>& ring : face.rings) {
+    const int shift = world.first_vertex[face.model] - cut.world.first_vertex[face.model];
+    for (std::vector<int> ring : face.rings) {
+      for (int& v : ring) v += shift;
       std::vector<Vec2> places;
       for (const int v : view::clip_ring(view, ring)) places.push_back(paper(view.vertices[v]));
       if (!places.empty()) on_paper.rings.push_back(std::move(places));

@@ -11,9 +11,11 @@
 namespace epura::drawing {
 
 /// Returns the visible cut faces, on paper. Seen from in front of the plane, where everything is removed, nothing hides
-/// them; seen from behind it, none is visible, and the result is empty. `view` is the view of the cut world.
-std::vector<CutFace> cut_faces_on_paper(const std::vector<cut::WorldCutFace>& faces, const scene::CuttingPlane& plane,
-                                        view::ProjectedScene& view, const view::PaperMap& paper);
+/// them; seen from behind it, none is visible, and the result is empty. `world` is what `view` shows: the cut world, or
+/// that with more vertices behind those of each model (refine/refine_world.hpp).
+std::vector<CutFace> cut_faces_on_paper(const cut::CutWorld& cut, const scene::CuttingPlane& plane,
+                                        const world::World& world, view::ProjectedScene& view,
+                                        const view::PaperMap& paper);
 
 /// Whether the viewer looks at the side of the cut faces.
 bool is_seen(const scene::CuttingPlane& plane, const projection::Projection& projection);
