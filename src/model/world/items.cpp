@@ -86,12 +86,21 @@ std::vector<ItemBody> bodies_of(const World& world, const std::vector<scene::Mod
   return bodies;
 }
 
-// "nut_1", "nut-2", "nut 3", "nut:4" -> "nut"
-std::string without_number(const std::string& name) {
+// Where the number at the end of a name begins; the length of the name if it has none.
+std::size_t begin_of_number(const std::string& name) {
   const std::size_t end = name.find_last_not_of("0123456789");
-  if (end == std::string::npos || end + 1 == name.size()) return name;
-  const std::size_t base = name.find_last_not_of("_-.:# ", end);
-  return base == std::string::npos || base == end ? name : name.substr(0, base + 1);
+  return end == std::string::npos ? name.size() : end + 1;
+}
+
+// "nut_1", "nut-2", "nut 3", "nut:4" -> "nut". What has no separator may be a size: "nut M10".
+std::string without_number(const std::string& name) {
+  const std::size_t number = begin_of_number(name), base = name.find_last_not_of("_-.:# ", number - 1);
+  return number == name.size() || base == std::string::npos || base + 1 == number ? name : name.substr(0, base + 1);
+}
+
+// FreeCAD calls copies of "nut M10" "nut M011" and "nut M012".
+bool have_one_name(const std::string& a, const std::string& b) {
+  return without_number(a) == without_number(b) || a.substr(0, begin_of_number(a)) == b.substr(0, begin_of_number(b));
 }
 
 /// An item while bodies are sorted into items.
@@ -102,7 +111,7 @@ struct Growing {
 };
 
 bool is_joined(const Growing& item, const ItemBody& body, const Shape& shape, double tolerance) {
-  const bool may_be = body.name.empty() || item.name.empty() || without_number(body.name) == without_number(item.name);
+  const bool may_be = body.name.empty() || item.name.empty() || have_one_name(body.name, item.name);
   return may_be && are_congruent(item.shape, shape, tolerance);
 }
 

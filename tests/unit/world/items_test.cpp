@@ -78,6 +78,18 @@ TEST(Items, HaveOneNameOrDifferByANumberOnly) {
   EXPECT_EQ(items[1].quantity, 2);
 }
 
+TEST(Items, MayHaveNumbersWithoutSeparators) {
+  const std::string named = "o nut M10\n" + wedge(1) + "o nut M011\n" + wedge(11, 40) + "o nut M012\n" + wedge(21, 80);
+  const auto items = world::find_items(world_of({{named, "scale:1"}}), descriptions(1), {{}}).items;
+  ASSERT_EQ(items.size(), 1U);
+  EXPECT_EQ(items[0].name, "nut M10");
+  EXPECT_EQ(items[0].quantity, 3);
+  const std::string copied = "o nut\n" + wedge(1) + "o nut001\n" + wedge(11, 40) + "o 7\n" + wedge(21, 80);
+  const auto others = world::find_items(world_of({{copied, "scale:1"}}), descriptions(1), {{}}).items;
+  ASSERT_EQ(others.size(), 2U) << "a number is a name";
+  EXPECT_EQ(others[0].name, "nut");
+}
+
 // The file says which part occurs where: names of occurrences do not count.
 TEST(Items, HaveTheNamesOfTheirParts) {
   const std::string named = "o left leg\n" + wedge(1) + "o right leg\n" + wedge(11, 40) + "o top\n" + wedge(21, 80);
