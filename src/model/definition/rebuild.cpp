@@ -54,11 +54,42 @@ Equations equations_of(const std::vector<Statement>& statements, std::span<const
   return found;
 }
 
+// Of the method of Levenberg and Marquardt, relative to rows of length 1.
+constexpr double least_damping = 1e-4, damping_step = 10;
+
+/// Where least is left so far.
+struct Best {
+  Equations equations{};
+  std::vector<double> values{};
+  double left = HUGE_VAL;
+};
+
+// The step to what the rows say; with damping, a shorter one.
+Eigen::VectorXd step_of(const Equations& equations, double damping) {
+  const Eigen::Index count = equations.rows.cols();
+  Eigen::SparseMatrix<double> rows(equations.rows.rows() + count, count);
+  Eigen::VectorXd left = Eigen::VectorXd::Zero(rows.rows());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index column = 0; column < count; ++column) {
+    for (Eigen::SparseMatrix<double>::InnerIterator entry(equations.rows, column); entry; ++entry)
+      entries.emplace_back(static_cast<int>(entry.row()), static_cast<int>(column), entry.value());
+    if (damping > 0)
+      entries.emplace_back(static_cast<int>(equations.rows.rows() + column), static_cast<int>(column), damping);
+  }
+  rows.setFromTriplets(entries.begin(), entries.end());
+  left.head(equations.left.size()) = equations.left;
+  Eigen::LeastSquaresConjugateGradient<Eigen::SparseMatrix<double>> solver(rows);
+  solver.setTolerance(rounding);
+  solver.setMaxIterations(std::max<Eigen::Index>(1000, 10 * count));
+  return solver.solve(left);
+}
+
 }  // namespace
 
 Rebuilt rebuild(const Unknowns& unknowns, std::span<const Row> base, const StateAll& state_all, double off,
                 unsigned seed) {
-  constexpr int most_steps = 30;
+  constexpr int most_steps = 60;
+  constexpr double settled = surely_zero * surely_not_zero;
   const int count = unknowns.count();
   std::mt19937 random(seed);
   Rebuilt found;
@@ -67,16 +98,20 @@ Rebuilt rebuild(const Unknowns& unknowns, std::span<const Row> base, const State
     found.begun.push_back(off * (2 * unit - 1));
   }
   found.values = found.begun;
+  Best best;
+  double damping = 0;
   for (int step = 0; step < most_steps && !found.is_settled; ++step) {
-    const std::vector<Statement> said = state_all(unknowns.changed_by(found.values));
-    const Equations equations = equations_of(said, base, count, found.values);
-    Eigen::LeastSquaresConjugateGradient<Eigen::SparseMatrix<double>> solver(equations.rows);
-    solver.setTolerance(rounding);
-    solver.setMaxIterations(std::max(1000, 10 * count));
-    const Eigen::VectorXd change = solver.solve(equations.left);
+    const Equations equations = equations_of(state_all(unknowns.changed_by(found.values)), base, count, found.values);
+    const double left = equations.left.norm();
+    const bool is_downhill = left <= (1 + surely_zero) * best.left + settled;
+    damping = is_downhill ? damping / damping_step : std::max(least_damping, damping) * damping_step;
+    if (damping < least_damping) damping = 0;
+    if (is_downhill) best = {equations, found.values, left};
+    const Eigen::VectorXd change = step_of(best.equations, damping);
+    found.values = best.values;
     for (int i = 0; i < count; ++i) found.values[static_cast<std::size_t>(i)] += change[i];
-    found.left = equations.left.size() > 0 ? equations.left.cwiseAbs().maxCoeff() : 0;
-    found.is_settled = change.cwiseAbs().maxCoeff() <= surely_zero * surely_not_zero;
+    found.left = best.equations.left.size() > 0 ? best.equations.left.cwiseAbs().maxCoeff() : 0;
+    found.is_settled = damping == 0 && change.cwiseAbs().maxCoeff() <= settled;
   }
   return found;
 }

@@ -40,7 +40,10 @@ std::string text_of(const sheet::RebuiltPart& part) {
   for (const sheet::OffFace& one : part.free)
     text += "not defined: " + one.name + " comes out as it began, " + length(one.off) + " off\n";
   for (const std::string& one : part.unread) text += "cannot tell: what " + one + " measures\n";
-  if (!part.is_settled) text += "cannot tell: the equations of the dimensions do not come to rest\n";
+  if (!part.is_settled)
+    return text +
+           "cannot tell whether the numbers define the part: their equations do not come to rest; epura lint names "
+           "the faces that they leave free\n";
   const int given = part.faces - part.by_model;
   text += std::to_string(given - static_cast<int>(part.free.size())) + " of " + std::to_string(given) +
           " faces are found again from the numbers on the sheets";
@@ -61,8 +64,7 @@ void choose_views(DrawOptions& options) {
 }  // namespace
 
 int define(DrawOptions options) {
-  if (!options.run.rebuild)
-    throw Error(ErrorKind::input, "command line", "nothing is asked of the part", "add --rebuild");
+  options.run.rebuild = true;
   if (!options.found_json.empty()) pipeline::refuse_overwriting({options.found_json}, options.models);
   choose_views(options);
   ProgressBoard board;

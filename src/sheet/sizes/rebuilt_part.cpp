@@ -163,7 +163,7 @@ std::optional<RebuiltPart> rebuild_part(std::span<const DimensionsInView> views,
   for (std::size_t face = 0; face < drawn->faces; ++face) {
     const definition::Face& one = drawn->part.faces[face];
     if (one.surface.kind == surfaces::SurfaceKind::free_form) ++found.by_model;
-    if (spread[face] > one_place * drawn->part.size)
+    if (found.is_settled && spread[face] > one_place * drawn->part.size)
       found.free.push_back({definition::name_of_face(one, length, numbers[face]), numbers[face], spread[face]});
   }
   std::stable_sort(found.free.begin(), found.free.end(),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `epura define --rebuild`: the part is found again from the numbers on its sheets, or what is not.
+// `epura define`: the part is found again from the numbers on its sheets, or what is not.
 #include <gtest/gtest.h>
 
 #include "../output/json_reader.hpp"
@@ -66,10 +66,13 @@ TEST_F(Define, BelievesTexts) {
   EXPECT_NEAR(found()["volume"].number(), 24000 - 40 * 9 * 6 / 2, 0.1);
 }
 
+TEST_F(Define, NeedsNoOption) {
+  const Outcome run = epura({"define", folder_.file("part.obj", sloped)}, folder_ / "");
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_TRUE(contains(run.out, "7 of 7 faces are found again")) << run.out;
+}
+
 TEST_F(Define, IsRefusedWhereItCannotTell) {
-  const Outcome nothing = epura({"define", folder_.file("part.obj", sloped)}, folder_ / "");
-  EXPECT_EQ(nothing.code, 2);
-  EXPECT_TRUE(contains(nothing.err, "add --rebuild")) << nothing.err;
   const Outcome faceless = define(sloped, {"--surfaces", "mesh"});
   EXPECT_EQ(faceless.code, 2) << faceless.out;
   EXPECT_TRUE(contains(faceless.err, "only single parts with recognised faces")) << faceless.err;
