@@ -2,6 +2,19 @@
 # Debian packages, by CPack: epura (program, projections), epura-study, importers, the library, the module for Python, and
 # what is needed to build against epura.
 #   cmake --preset deb && cmake --build --preset deb && (cd build/deb && cpack)
+# The same sources give the same bytes, whenever and in whatever folder they are built: the time in them is that of the
+# last commit, or of SOURCE_DATE_EPOCH, https://reproducible-builds.org/specs/source-date-epoch
+if(NOT DEFINED ENV{SOURCE_DATE_EPOCH})
+  execute_process(COMMAND git log -1 --format=%ct WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}
+                  OUTPUT_VARIABLE time OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE failure)
+  if(NOT failure EQUAL 0)
+    file(TIMESTAMP ${CMAKE_CURRENT_SOURCE_DIR}/CHANGELOG.md time %s UTC)
+  endif()
+  set(ENV{SOURCE_DATE_EPOCH} ${time})
+endif()
+set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_BINARY_DIR}/debian/time.cmake)
+file(WRITE ${CPACK_PROJECT_CONFIG_FILE} "set(ENV{SOURCE_DATE_EPOCH} $ENV{SOURCE_DATE_EPOCH})\n")
+
 set(EPURA_MAINTAINER "The authors of epura <authors@epura.invalid>" CACHE STRING "field Maintainer of Debian packages")
 
 set(library libepura${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})

@@ -19,6 +19,11 @@ if(NOT EPURA_SANITIZE)
            ${PROJECT_BINARY_DIR}/include)
   add_test(NAME sdk_works COMMAND ${CMAKE_CURRENT_LIST_DIR}/sdk.sh ${CMAKE_BINARY_DIR})
 endif()
+# Debugging and counting need the places of sources.
+if(CMAKE_BUILD_TYPE STREQUAL Release AND NOT EPURA_COVERAGE AND NOT EPURA_SANITIZE)
+  add_test(NAME programs_hold_no_traces COMMAND ${CMAKE_CURRENT_LIST_DIR}/traces.sh $<TARGET_FILE:epura>
+           $<TARGET_FILE:epura_library> $<TARGET_FILE:epura_hlr> ${CMAKE_BINARY_DIR}/lib/epura)
+endif()
 add_test(NAME accuracy_page_is_fresh COMMAND ${CMAKE_CURRENT_LIST_DIR}/accuracy.sh $<TARGET_FILE:epura>)
 add_test(NAME manual_is_sound COMMAND ${CMAKE_CURRENT_LIST_DIR}/manual.sh $<TARGET_FILE:epura>)
 find_package(Python3 COMPONENTS Interpreter REQUIRED)

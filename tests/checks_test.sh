@@ -78,4 +78,17 @@ for folder in clone full full/kept; do
   expect fails "planting into $folder" "$tests/mutants/run" --tree "$scratch/$folder" --only "no such fault"
 done
 [ -e "$scratch/clone/.git/HEAD" ] && [ -e "$scratch/full/kept" ] || { echo "planting removes files" >&2; status=1; }
+traces() { (cd "$scratch/built" && cc -o program "$1" && "$scratch/copy/tests/traces.sh" program); }
+mkdir -p "$scratch/copy/tests" "$scratch/built"
+cp "$tests/traces.sh" "$scratch/copy/tests"
+built() {  # text: a program of one source in the tree
+  printf '#include <stdio.h>\nint main() { return puts(%s) < 0; }\n' "$1" >"$scratch/copy/main.c"
+}
+built '"here"'
+expect passes "a program without traces" traces "$scratch/copy/main.c"
+built __FILE__
+expect fails "the folder of a source" traces "$scratch/copy/main.c"
+built __DATE__
+expect fails "the day of building" traces "$scratch/copy/main.c"
+
 exit $status

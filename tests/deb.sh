@@ -21,6 +21,7 @@ lintian --fail-on error --suppress-tags initial-upload-closes-no-bugs $build/*.d
 scratch=$(mktemp -d)
 for package in $build/*.deb; do dpkg-deb -x "$package" "$scratch/contents"; done
 tests/hardening.sh "$scratch/contents" $build/compile_commands.json
+tests/traces.sh "$scratch/contents"
 system=$scratch/system
 end() {
   for part in proc dev; do if mountpoint -q "$system/$part"; then umount "$system/$part"; fi; done
