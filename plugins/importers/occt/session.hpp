@@ -78,7 +78,9 @@ auto guarded(const std::string& what, Work&& work) {
   try {
     return work();
   } catch (const Standard_Failure&) {  // its words are those of a library
-    throw std::runtime_error(what + ": Open CASCADE gives up on a shape in it, which may be damaged");
+    throw std::runtime_error(what +
+                             ": Open CASCADE gives up on a shape in it, which may be damaged, or on facets as fine "
+                             "as this scale asks for");
   }
 }
 

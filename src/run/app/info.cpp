@@ -401,7 +401,7 @@ std::string text_of(const ModelInfo& info) {
     text += line_of("box", rounded(size.x) + " x " + rounded(size.y) + " x " + rounded(size.z) + ", from " +
                                rounded(info.box.min) + " to " + rounded(info.box.max));
   }
-  text += line_of("unit", info.unit ? format_number(*info.unit) + " mm, as the file says"
+  text += line_of("unit", info.unit ? format_number(*info.unit) + " mm, known from the file"
                           : info.guessed_unit
                               ? "not in the file; probably " + std::string(scene::word_of(*info.guessed_unit))
                               : "not in the file");
