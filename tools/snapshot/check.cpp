@@ -174,7 +174,7 @@ void tell_results(const DrawnFiles& drawn, Findings& findings) {
   const std::size_t found = drawn.report.findings.size();
   findings.add(found == 0 ? "lint: nothing is wrong with the dimensions"
                           : "lint: " + std::to_string(found) + (found == 1 ? " fault" : " faults") +
-                                " of the dimensions, listed in lint.json");
+                                " of the dimensions, listed in the lint.json that the sheet carries");
   const std::vector<report::RequirementRow>& rows = drawn.report.requirements;
   const auto drawn_rows = std::count_if(rows.begin(), rows.end(), [](const auto& row) { return row.is_drawn(); });
   if (!rows.empty())
