@@ -11,12 +11,10 @@
 
 namespace epura::test {
 
-inline constexpr int many_variants = 20;  // of each family
-
 /// A block with a groove in its top: a place and a width.
 inline std::vector<KnownPart> blocks_with_grooves() {
   std::vector<KnownPart> parts;
-  for (int i = 0; i < many_variants; ++i) {
+  for (int i = 0; i < variants; ++i) {
     const double w = 90 + i, a = 20.5 + i, g = 5 + 0.75 * i, floor = 22 - 0.5 * i;
     parts.push_back({"a groove " + std::to_string(i),
                      block({{0, 0}, {w, 0}, {w, 30}, {a + g, 30}, {a + g, floor}, {a, floor}, {a, 30}, {0, 30}}, 12),
@@ -28,7 +26,7 @@ inline std::vector<KnownPart> blocks_with_grooves() {
 /// A base with one rib, or with two: each has a place and a width.
 inline std::vector<KnownPart> bases_with_ribs() {
   std::vector<KnownPart> parts;
-  for (int i = 0; i < many_variants; ++i) {
+  for (int i = 0; i < variants; ++i) {
     const double w = 100 + i, a = 12.5 + 0.5 * i, t = 4 + 0.25 * i, b = a + t + 30, u = 6 + 0.25 * i;
     Loop outline{{0, 0}, {w, 0}, {w, 8}};
     KnownPart part{"ribs " + std::to_string(i), {}, {number(w), "32", "14", "8", number(a), number(t)}};
@@ -46,7 +44,7 @@ inline std::vector<KnownPart> bases_with_ribs() {
 /// A plate with a rectangular pocket.
 inline std::vector<KnownPart> plates_with_pockets() {
   std::vector<KnownPart> parts;
-  for (int i = 0; i < many_variants; ++i) {
+  for (int i = 0; i < variants; ++i) {
     const Vec2 size(80 + i, 50), low(11 + i, 9 + 0.5 * i), pocket(24 + 0.5 * i, 14 + 0.25 * i);
     const double floor = 12 + 0.25 * i;
     Plate plate(20);
@@ -62,7 +60,7 @@ inline std::vector<KnownPart> plates_with_pockets() {
 /// A plate with a rectangular boss above a wider blind bore, whose walls are inside the circle of the bore.
 inline std::vector<KnownPart> bosses_over_bores() {
   std::vector<KnownPart> parts;
-  for (int i = 0; i < many_variants; ++i) {
+  for (int i = 0; i < variants; ++i) {
     const Vec2 size(90 + i, 60), middle(38 + 0.5 * i, 27), boss(24 + 0.5 * i, 16 + 0.5 * i), low = middle - boss / 2.0;
     const double top = 32 + i, radius = 20, depth = 9 + 0.25 * i;
     const Loop outline = square({0, 0}, size), walls = square(low, boss), rim = circle(middle, radius, -135);
@@ -88,7 +86,7 @@ inline std::vector<KnownPart> bosses_over_bores() {
 /// A block with a round top, of one cylinder that a groove parts: one radius.
 inline std::vector<KnownPart> parted_round_tops() {
   std::vector<KnownPart> parts;
-  for (int i = 0; i < many_variants; ++i) {
+  for (int i = 0; i < variants; ++i) {
     const double w = 60 + i, r = 50 + 2 * i, side = 20, g = 6 + 0.5 * i, floor = 15;
     const double centre = side - std::sqrt(r * r - w * w / 4);
     const auto arc = [&](double from, double to) {
@@ -114,7 +112,7 @@ inline std::vector<KnownPart> parted_round_tops() {
 /// A flange with a boss that a groove parts: the boss has one diameter, the groove a place and a width.
 inline std::vector<KnownPart> bosses_with_ring_grooves() {
   std::vector<KnownPart> parts;
-  for (int i = 0; i < many_variants; ++i) {
+  for (int i = 0; i < variants; ++i) {
     const double a = 18 + 0.5 * i, g = 2 + 0.25 * i, length = 40 + i, r = 15 + 0.25 * i;
     parts.push_back({"a boss with a groove " + std::to_string(i),
                      shaft({{0, 1e-9},
@@ -143,7 +141,7 @@ inline Loop half_turn(const Vec2& centre, double r, double from, double turn) {
 /// A block with a slot that is open above and round below: the place of its axis and a radius.
 inline std::vector<KnownPart> blocks_with_open_slots() {
   std::vector<KnownPart> parts;
-  for (int i = 0; i < many_variants; ++i) {
+  for (int i = 0; i < variants; ++i) {
     const double w = 80 + i, m = 31 + 0.5 * i, r = 6 + 0.25 * i, at = 18 + 0.25 * i;
     Loop outline{{0, 0}, {w, 0}, {w, 40}};
     outline.emplace_back(m + r, 40);
@@ -159,7 +157,7 @@ inline std::vector<KnownPart> blocks_with_open_slots() {
 /// A base with an upright lug that ends in half a turn; its sides may be in the ends of the base.
 inline std::vector<KnownPart> bases_with_lugs() {
   std::vector<KnownPart> parts;
-  for (int i = 0; i < many_variants; ++i) {
+  for (int i = 0; i < variants; ++i) {
     const double w = 70 + i, r = 9 + 0.25 * i, up = 38 + i;
     const double m = i % 3 == 0 ? r : i % 3 == 1 ? w - r : 30 + 0.5 * i;
     Loop outline{{0, 0}, {w, 0}};
@@ -190,7 +188,7 @@ inline Loop keyed_arc(double r, double key, bool is_top) {
 /// A shaft of 20 and 16 whose keyway runs out at its chamfered end: the floor is measured from the thinner one.
 inline std::vector<KnownPart> shafts_with_open_keyways() {
   std::vector<KnownPart> parts;
-  for (int i = 0; i < many_variants; ++i) {
+  for (int i = 0; i < variants; ++i) {
     const double step = 30, begin = 34 + 0.5 * i, length = 60 + i, floor = 3 + 0.1 * i, half = 2 + 0.05 * i;
     const auto key = [half](double r) { return std::asin(half / r) * 180 / std::numbers::pi; };
     const auto full = [&](double r) {
@@ -237,7 +235,7 @@ inline std::vector<KnownPart> shafts_with_open_keyways() {
 /// A plate with a round groove about an axis that is not that of the plate: half of a torus below its top.
 inline std::vector<KnownPart> plates_with_ring_grooves() {
   std::vector<KnownPart> parts;
-  for (int i = 0; i < many_variants; ++i) {
+  for (int i = 0; i < variants; ++i) {
     const Vec2 size(90 + i, 70), centre(40 + 0.5 * i, 31);
     const double ring = 16 + 0.5 * i, r = 3 + 0.1 * i, height = 15;
     const auto at = [&](int step) { return circle(centre, ring + r * cosine(15.0 * step), -135); };

@@ -14,7 +14,7 @@ namespace epura::test {
 
 inline std::string number(double value) { return format_number(std::round(value * 100) / 100); }
 
-inline constexpr int variants = 8;  // of each family
+inline constexpr int variants = 20;  // of each family
 
 /// A block of width w and height h with a notch, 2b wide and d deep, in the middle of its top at x = m.
 inline std::vector<KnownPart> v_notches() {
@@ -79,7 +79,7 @@ inline std::vector<KnownPart> slopes_to_rounded_corners() {
 inline std::vector<KnownPart> rounded_trapezia() {
   std::vector<KnownPart> parts;
   for (int i = 0; i < variants; ++i) {
-    const double left = 8 + i, right = 47 - i, width = 60, height = 30, r = 3 + 0.5 * i;
+    const double left = 8 + 0.5 * i, right = 47 - 0.5 * i, width = 60, height = 30, r = 3 + 0.25 * i;
     const double a = std::atan2(height, left), b = std::atan2(height, width - right);
     // The ends of the models are on the arcs at the bottom.
     const double from = r / std::tan(a / 2) - r, to = width - r / std::tan(b / 2) + r;
@@ -96,7 +96,7 @@ inline std::vector<KnownPart> rounded_trapezia() {
 inline std::vector<KnownPart> slopes_of_45_degrees() {
   std::vector<KnownPart> parts;
   for (int i = 0; i < variants; ++i) {
-    const double w = 60 + i, h = 40, small = 3 + i, large = 22 + i, fill = 6 + 0.5 * i;
+    const double w = 60 + i, h = 40, small = 3 + 0.45 * i, large = 22 + 0.5 * i, fill = 6 + 0.5 * i;
     const auto cut = [&](double leg) { return block({{0, 0}, {w, 0}, {w, h - leg}, {w - leg, h}, {0, h}}, 12); };
     parts.push_back({"a chamfer " + std::to_string(i), cut(small), {number(w), "40", "12", number(small) + "×45°"}});
     parts.push_back({"a cut corner " + std::to_string(i),
@@ -267,7 +267,7 @@ inline std::string shaft_with_blind_holes(const std::vector<double>& angles, dou
 inline std::vector<KnownPart> shafts_with_blind_holes() {
   std::vector<KnownPart> parts;
   for (int i = 0; i < variants; ++i) {
-    const double first = 5 + i, height = 12 + 0.5 * i, floor = 8 + 0.25 * i;
+    const double first = 5 + 0.5 * i, height = 12 + 0.5 * i, floor = 8 + 0.25 * i;
     parts.push_back({"radial blind holes " + number(floor) + " from the axis",
                      shaft_with_blind_holes({first, first + 120, first + 240}, height, 2.5, floor),
                      {"40", "⌀40", "3× ⌀5 ↧" + number(20 - floor), number(height), number(first) + "°", "3× 120°"}});
@@ -278,7 +278,7 @@ inline std::vector<KnownPart> shafts_with_blind_holes() {
 inline std::vector<KnownPart> tubes_with_radial_holes() {
   std::vector<KnownPart> parts;
   for (int i = 0; i < variants; ++i) {
-    const double first = 5 + i, height = 12 + 0.5 * i;
+    const double first = 5 + 0.5 * i, height = 12 + 0.5 * i;
     parts.push_back({"radial holes from " + number(first),
                      tube_with_holes({first, first + 120, first + 240}, height, 2.5),
                      {"40", "⌀40", "⌀28", "3× ⌀5", number(height), number(first) + "°", "3× 120°"}});

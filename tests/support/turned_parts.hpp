@@ -40,7 +40,7 @@ inline std::vector<KnownPart> plates_with_conical_bosses() {
 inline std::vector<KnownPart> plates_with_turned_holes() {
   std::vector<KnownPart> parts;
   for (int i = 0; i < variants; ++i) {
-    const double degrees = i == 0 ? 45 : 10 + 4 * i, w = 12, h = 7 + 0.5 * i;
+    const double degrees = i == 0 ? 45 : 10 + 1.5 * i, w = 12, h = 7 + 0.5 * i;
     const Vec2 size(60 + 2 * i, 44), middle = size / 2.0;
     const Loop hole = turned(square(middle - Vec2(w, h) / 2.0, {w, h}), middle, degrees);
     Plate plate(10);
@@ -66,7 +66,7 @@ inline KnownPart plate_with_two_turned_holes() {
 inline std::vector<KnownPart> turned_blocks() {
   std::vector<KnownPart> parts;
   for (int i = 0; i < variants; ++i) {
-    const double degrees = 8 + 3 * i, w = 50 + i, h = 30;
+    const double degrees = 8 + 1.5 * i, w = 50 + i, h = 30;
     parts.push_back(
         {"a block turned by " + number(degrees),
          block(turned({{0, 0}, {w, 0}, {w, h}, {0, h}}, {0, 0}, degrees), 20),
@@ -126,7 +126,7 @@ inline std::vector<KnownPart> uneven_pitch_circles() {
     parts.push_back({"holes at " + number(angles.front()), ring_with_holes(angles, 35, 4), all});
   };
   for (int i = 0; i < variants - 2; ++i) {
-    const double a = 18 + 2 * i;
+    const double a = 18.5 + i;
     add({a, 180 - a, 270}, {"2× " + number(a) + "°"});
   }
   add({30, 60, 120, 150, 210, 240, 300, 330}, {"8× 30°"});

@@ -60,8 +60,8 @@ TEST(RebuiltPart, AgreesWithTheRankOfTheEquations) {
       EXPECT_EQ(part.rebuilt(without)->is_defined(), !is_free) << name << " without " << part.texts[without];
       if (is_free) ++removed;
     }
-  EXPECT_GE(parts, 80U);
-  EXPECT_GE(removed, 70U);
+  EXPECT_GE(parts, 170U);
+  EXPECT_GE(removed, 140U);
 }
 
 }  // namespace epura::test::rebuilt_part_test
