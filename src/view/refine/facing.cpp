@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "refine/contour_plane.hpp"
 #include "refine/limits.hpp"
@@ -68,16 +70,36 @@ int side_of(const ContourPlane& plane, const mesh::Mesh& mesh, int triangle) {
   return sign_of(low + high);
 }
 
-// Whether the viewer sees a triangle turn the other way than its surface, and not by rounding: chords lie below the
-// surface, so what is in front of a contour may be seen beyond it.
-bool is_folded(const mesh::Mesh& mesh, int triangle, const surfaces::PartSurface& surface, int side,
-               const Viewer& viewer, double tolerance) {
+// Which way the viewer sees a triangle of a model turn: 1 counterclockwise, -1 clockwise.
+int seen_turn(const mesh::Mesh& mesh, int triangle, const Viewer& viewer) {
   const auto [a, b, c] = mesh.triangle(triangle);
-  const std::array<Vec3, 3> corners{mesh.point(a), mesh.point(b), mesh.point(c)};
-  Turn own, seen;
-  own.add(corners, surfaces::normal_near(surface, corners[0]));
-  seen.add(corners, viewer.seen_from(corners[0]));
-  return side * seen.outwards < 0 && own.is_told(tolerance);
+  const Vec3 p = mesh.point(a);
+  return sign_of(glm::dot(glm::cross(mesh.point(b) - p, mesh.point(c) - p), viewer.seen_from(p)));
+}
+
+// Lets the page tell how triangles turn that are folded over a contour: chords lie below the surface, so that a corner
+// in front of the contour may be seen beyond it. One that is folded within its face is turned over by its tessellation.
+void unfold(const mesh::Mesh& mesh, std::vector<int> folded, const auto& seen, std::vector<signed char>& facing) {
+  const auto is_at_contour = [&](int triangle) {
+    const std::array<int, 3> corners = mesh.triangle(triangle);
+    const int told = facing[static_cast<std::size_t>(triangle)];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(corners[i], corners[(i + 1) % 3]);
+      for (const int other : mesh.triangles_of(*mesh.edge_between({low, high}))) {
+        const int beyond = facing[static_cast<std::size_t>(other)];
+        if ((beyond != 0 ? beyond : seen(other)) == -told) return true;
+      }
+    }
+    return false;
+  };
+  for (std::size_t count = folded.size() + 1; count != folded.size();) {
+    count = folded.size();
+    std::erase_if(folded, [&](int triangle) {
+      const bool is_at = is_at_contour(triangle);
+      if (is_at) facing[static_cast<std::size_t>(triangle)] = 0;
+      return is_at;
+    });
+  }
 }
 
 }  // namespace
@@ -93,7 +115,9 @@ std::vector<signed char> facing_by_surface(const world::Placed& placed, const pr
   for (const surfaces::PartFace& face : part.faces) planes.push_back(contour_plane(face.surface, viewer));
   const Turns turns = turns_of(mesh, part, faces);
   const int mirrored = glm::determinant(Mat3(placed.to_world)) < 0 ? -1 : 1;
+  const auto seen = [&](int triangle) { return mirrored * seen_turn(mesh, triangle, viewer); };
   std::vector<signed char> facing(faces.size(), 0);
+  std::vector<int> folded;
   for (std::size_t t = 0; t < facing.size(); ++t) {
     if (faces[t] < 0) continue;
     const auto face = static_cast<std::size_t>(faces[t]);
@@ -102,10 +126,12 @@ std::vector<signed char> facing_by_surface(const world::Placed& placed, const pr
     const Turn& polygon = turns.of_polygon[static_cast<std::size_t>(mesh.polygon[t])];
     const bool decides = mesh.report.misoriented_edges > 0 && polygon.is_told(part.tolerance);
     const Turn& turn = decides ? polygon : turns.of_face[face];
-    const int side = sign_of(turn.outwards) * side_of(*planes[face], mesh, static_cast<int>(t));
-    if (!is_folded(mesh, static_cast<int>(t), part.faces[face].surface, side, viewer, part.tolerance))
-      facing[t] = static_cast<signed char>(mirrored * side);
+    const int side = side_of(*planes[face], mesh, static_cast<int>(t));
+    facing[t] = static_cast<signed char>(mirrored * sign_of(turn.outwards) * side);
+    if (facing[t] * seen(static_cast<int>(t)) < 0 && polygon.is_told(part.tolerance))
+      folded.push_back(static_cast<int>(t));
   }
+  unfold(mesh, std::move(folded), seen, facing);
   return facing;
 }
 
