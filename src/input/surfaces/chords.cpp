@@ -178,11 +178,38 @@ Regions take_islands(const Facets& facets, Regions found) {
   return found;
 }
 
+// Whether neither a facet nor its plane is deeper below a sphere than facets are, and no vertex above it.
+bool is_below_sphere(const Facets& facets, int facet, const Region& region) {
+  const PartSurface& surface = region.surface;
+  const double allowance = allowance_of(facets, region.sagitta), deepest = 2 * region.sagitta + allowance;
+  const auto vertices = facets.vertices_of(facet);
+  return std::all_of(vertices.begin(), vertices.end(), [&](int v) {
+    const Vec3 from = facets.points[v] - surface.origin;
+    const double height =
+        facets.is_sliver(facet) ? glm::length(from) : std::abs(glm::dot(from, facets.facets[facet].normal));
+    return glm::length(from) <= surface.radius + allowance && height >= surface.radius - deepest;
+  });
+}
+
 }  // namespace
+
+bool are_chords(const Facets& facets, const Region& some, const Region& of, double allowance) {
+  return std::all_of(some.facets.begin(), some.facets.end(),
+                     [&](int f) { return is_chord(facets, f, of.surface, allowance, of.sagitta); });
+}
+
+bool are_chords(const Facets& facets, const Region& some, const Region& of) {
+  return are_chords(facets, some, of, allowance_of(facets, of.sagitta));
+}
+
+bool are_left_of_sphere(const Facets& facets, const Region& some, const Region& of) {
+  return of.surface.kind == SurfaceKind::sphere &&
+         std::all_of(some.facets.begin(), some.facets.end(), [&](int f) { return is_below_sphere(facets, f, of); });
+}
 
 Regions take_chords(const Facets& facets, Regions found) {
   found = take_pieces(facets, std::move(found), is_piece);
-  for (Region& region : found.regions) region.exact = region.facets.size();
+  for (Region& region : found.regions) region.exact = region.exact_facets().size();
   found = take_pieces(facets, std::move(found), is_trimmed_piece);
   return take_islands(facets, std::move(found));
 }

@@ -14,6 +14,15 @@ namespace epura::surfaces {
 /// and last those of any size that the region encloses.
 Regions take_chords(const Facets& facets, Regions found);
 
+/// Whether all facets of a region are chords of another one's surface (is_chord), to within the allowance of that one
+/// or a given one.
+bool are_chords(const Facets& facets, const Region& some, const Region& of);
+bool are_chords(const Facets& facets, const Region& some, const Region& of, double allowance);
+
+/// Whether the facets of a region may be what a cut left of some of a sphere: nowhere above it, and no deeper below it
+/// than whole ones.
+bool are_left_of_sphere(const Facets& facets, const Region& some, const Region& of);
+
 /// Where several round faces meet, vertices lie off each of them by a part of the sagitta, so that a facet between them
 /// may be left. Returns the one of these faces that it is nearest to; -1 if it may be a flat of the part: a flat with
 /// so few corners has a straight side that is no chord, a sharp edge, or lies farther away.

@@ -406,6 +406,44 @@ Facet facet_at(const Facets& f, const Triangles& of, int number) {
   return facet;
 }
 
+// Whether a facet is a strip of a round surface that another face cuts off: four supports are the ends of its only
+// smooth sides, and what lies beyond these is about as wide, unlike fillets beside a flat. The others may lie anywhere
+// in its plane, so they are moved behind these.
+bool is_cut_strip(Facets& f, int facet) {
+  std::vector<int> ends;
+  for (const int t : f.triangles_of(facet))
+    for (int side = 0; side < 3; ++side) {
+      const int next = f.sides[t][side].neighbour;
+      if (next < 0 || f.facet_of[next] == facet || f.fold_at(t, side) > coarse_fold) continue;
+      const double here = f.facets[facet].width, beyond = f.facets[f.facet_of[next]].width;
+      if (std::max(here, beyond) > similar_width_ratio * std::min(here, beyond)) return false;
+      ends.push_back(f.corners[t][side]);
+      ends.push_back(f.corners[t][(side + 1) % 3]);
+    }
+  const auto first = f.vertices.begin() + f.first_vertex[facet], last = f.vertices.begin() + f.end_of_supports[facet];
+  const auto is_end = [&](int v) { return std::count(ends.begin(), ends.end(), v) == 1; };
+  const auto is_beside = [&](int v) { return std::find(ends.begin(), ends.end(), v) != ends.end(); };
+  if (std::count_if(first, last, is_end) != 4 || std::count_if(first, last, is_beside) != 4) return false;
+  const auto middle = std::stable_partition(first, last, is_end);
+  return std::all_of(middle, last, [&](int v) {
+    return std::abs(glm::dot(f.points[v] - f.points[*first], f.facets[facet].normal)) <= 2 * f.tolerance;
+  });
+}
+
+// With strips that other faces cut off supported by the ends of their long sides alone: their ends may have any
+// corners.
+Facets with_cut_strips(Facets f) {
+  for (int number = 0; number < static_cast<int>(f.facets.size()); ++number) {
+    if (f.supports_of(number).size() <= 4 || !is_cut_strip(f, number)) continue;
+    f.end_of_supports[number] = f.first_vertex[number] + 4;
+    Facet& facet = f.facets[number];
+    facet.is_plane = false;
+    facet.middle = Vec3(0);
+    for (const int v : f.supports_of(number)) facet.middle += f.points[v] / 4.0;
+  }
+  return f;
+}
+
 }  // namespace
 
 double Facets::cosine_of_fold(int triangle, int side) const {
@@ -434,7 +472,7 @@ Facets make_facets(const mesh::Mesh& mesh) {
   parallel_for(facets.facets.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) facets.facets[f] = facet_at(facets, triangles, static_cast<int>(f));
   });
-  return facets;
+  return with_cut_strips(std::move(facets));
 }
 
 }  // namespace epura::surfaces

@@ -18,7 +18,7 @@ struct Facet {
   Vec3 middle;  ///< mean of its supports
   double area;
   double width;   ///< of its thickest triangle; of a plane, its least extent
-  bool is_plane;  ///< has more corners than a facet of a round surface can have
+  bool is_plane;  ///< has more corners than a facet of a round surface can have, if other faces do not cut it off
 };
 
 /// One side of a triangle.
@@ -49,8 +49,9 @@ struct Facets {
   [[nodiscard]] std::span<const int> vertices_of(int facet) const {
     return {vertices.data() + first_vertex[facet], vertices.data() + first_vertex[facet + 1]};
   }
-  /// The vertices of a facet, less those inside a straight edge between two facets: these may lie anywhere on a chord
-  /// of a round surface, so they say nothing about it.
+  /// The vertices of a facet, less those that say nothing about a round surface: those inside a straight edge between
+  /// two facets may lie anywhere on a chord of it, and those at the ends of a strip anywhere in the strip's plane where
+  /// another face cuts it off.
   [[nodiscard]] std::span<const int> supports_of(int facet) const {
     return {vertices.data() + first_vertex[facet], vertices.data() + end_of_supports[facet]};
   }

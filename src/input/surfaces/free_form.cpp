@@ -241,15 +241,6 @@ bool lies_on(const Facets& facets, const Region& region, const PartSurface& surf
                      [&](int f) { return approximates(facets, f, surface, allowance, sagitta); });
 }
 
-bool are_chords(const Facets& facets, const Region& some, const Region& of, double allowance) {
-  return std::all_of(some.facets.begin(), some.facets.end(),
-                     [&](int f) { return is_chord(facets, f, of.surface, allowance, of.sagitta); });
-}
-
-bool are_chords(const Facets& facets, const Region& some, const Region& of) {
-  return are_chords(facets, some, of, allowance_of(facets, of.sagitta));
-}
-
 // Where the normal of a torus is parallel to its axis, its facets form a flat ring, or parts of it.
 bool is_ring_of_torus(const Facets& facets, const Region& flat, const Region& torus) {
   if (torus.surface.kind != SurfaceKind::torus || !are_chords(facets, flat, torus)) return false;
@@ -290,13 +281,16 @@ bool has_no_vertex_inside(const Facets& facets, const std::vector<int>& region_o
 
 // Whether a region is a row of another one's facets: two circles about one axis lie on a cone, whatever lies between
 // them. The vertices of an inexact face lie off its surface, but not off those of its rows. A row that continues the
-// other face without an edge may be a face by itself.
+// other face without an edge may be a face by itself, unless it lies below a sphere as what is left of cut facets does:
+// a tangent face rises from it.
 bool is_row_of(const Facets& facets, const Regions& found, int row, int face) {
   const Region &some = found.regions[row], &of = found.regions[face];
   const SurfaceKind kind = of.surface.kind;
   if (kind == SurfaceKind::plane || kind == SurfaceKind::free_form || some.surface.kind == SurfaceKind::plane ||
       some.surface.kind == SurfaceKind::free_form || 2 * some.facets.size() >= of.facets.size())
     return false;
+  if (!has_no_vertex_inside(facets, found.region_of, some, row)) return false;
+  if (are_left_of_sphere(facets, some, of)) return true;
   bool folds = false;
   for (const int f : some.facets)
     facets.for_sides(f, [&](int t, int side, int other) {
@@ -305,8 +299,7 @@ bool is_row_of(const Facets& facets, const Regions& found, int row, int face) {
       const double cosine = std::abs(glm::dot(normal_near(some.surface, end), normal_near(of.surface, end)));
       folds = folds || cosine < tangent_cosine;
     });
-  return folds && has_no_vertex_inside(facets, found.region_of, some, row) &&
-         are_chords(facets, some, of, trimmed_allowance_of(facets, of.sagitta));
+  return folds && are_chords(facets, some, of, trimmed_allowance_of(facets, of.sagitta));
 }
 
 /// Finds strips of spheres, cylinders and cones that are rows of a free form's tessellation. Two circles about one axis
@@ -584,10 +577,15 @@ Regions merge_regions(const Facets& facets, Regions found) {
       continue;
     }
     Region& to = merged[number[root]];
-    if (regions[r].facets.size() >
-        std::exchange(largest[number[root]], std::max(largest[number[root]], regions[r].facets.size()))) {
+    const bool is_larger = regions[r].facets.size() > largest[number[root]];
+    if (is_larger) {
+      largest[number[root]] = regions[r].facets.size();
       to.surface = regions[r].surface;
       to.sagitta = regions[r].sagitta;
+    }
+    if (to.surface.kind == SurfaceKind::sphere && is_taken[is_larger ? root : r] != 0) {  // rows lie off it
+      if (is_larger) std::swap(to.facets, regions[r].facets);
+      to.exact = to.exact_facets().size();
     }
     to.facets.insert(to.facets.end(), regions[r].facets.begin(), regions[r].facets.end());
     to.residual = std::max(to.residual, regions[r].residual);
