@@ -5,13 +5,15 @@
 #include "mesh/triangulate.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <utility>
 
 #include "base/vec.hpp"
 #include "mesh/simple_rings.hpp"
-#include "search/line_cells.hpp"
+#include "search/bounds_tree.hpp"
 
 namespace epura::mesh {
 
@@ -50,48 +52,75 @@ bool is_fan(const std::vector<Vec2>& p) {
   return true;
 }
 
-/// The remaining corners of a polygon, by square cell.
-class CornerGrid {
+/// The remaining corners of a polygon, halved again and again across the longer side of their box: corners may lie
+/// close together anywhere.
+class CornerTree {
  public:
-  explicit CornerGrid(const std::vector<Vec2>& places) : p_(places), grid_(grid_over(places)) {
-    cells_.resize(static_cast<std::size_t>(grid_.count()));
-    for (int i = 0; i < static_cast<int>(places.size()); ++i) cell_of(i).push_back(i);
+  explicit CornerTree(const std::vector<Vec2>& places) : p_(places), is_left_(places.size(), 1), left_(places.size()) {
+    members_.resize(places.size());
+    std::iota(members_.begin(), members_.end(), 0);
+    build();
   }
 
-  void remove(int corner) { std::erase(cell_of(corner), corner); }
+  /// Builds the tree anew once half of its corners are gone.
+  void remove(int corner) {
+    is_left_[corner] = 0;
+    if (--left_ > members_.size() / 2) return;
+    std::erase_if(members_, [&](int i) { return is_left_[i] == 0; });
+    build();
+  }
 
-  /// Whether `is(corner)` holds for a corner in a box; corners near the box may be tested as well.
+  /// Whether `is(corner)` holds for a corner in a triangle that turns left; corners near it may be tested as well.
   template <class Is>
-  [[nodiscard]] bool any_in(const Vec2& min, const Vec2& max, const Is& is) const {
-    for (int y = grid_.row(min.y); y <= grid_.row(max.y); ++y)
-      for (int x = grid_.column(min.x); x <= grid_.column(max.x); ++x) {
-        const std::vector<int>& corners = cells_[grid_.cell(x, y)];
-        if (std::any_of(corners.begin(), corners.end(), is)) return true;
-      }
-    return false;
+  [[nodiscard]] bool any_in(const std::array<Vec2, 3>& triangle, const Is& is) const {
+    const auto& [a, b, c] = triangle;
+    const Vec2 min = glm::min(a, glm::min(b, c)), max = glm::max(a, glm::max(b, c));
+    const search::Bounds<2> around{{{min.x, max.x}, {min.y, max.y}}};
+    const auto may_hold = [&](const search::Bounds<2>& box) {
+      return search::meet<2>(box, around) && reaches(box, a, b) && reaches(box, b, c) && reaches(box, c, a);
+    };
+    bool found = false;
+    tree_.visit_where(may_hold, [&](std::size_t i) {
+      found = is_left_[members_[i]] != 0 && is(members_[i]);
+      return !found;
+    });
+    return found;
   }
 
  private:
-  // About as many cells as places.
-  static search::CellGrid grid_over(const std::vector<Vec2>& places) {
-    Vec2 min = places.front(), max = min;
-    for (const Vec2& p : places) {
-      min = glm::min(min, p);
-      max = glm::max(max, p);
-    }
-    const Vec2 size = max - min;
-    const double count = static_cast<double>(places.size());
-    const double side = std::max({std::sqrt(size.x * size.y / count), size.x / count, size.y / count});
-    if (!(side > 0)) return {min, Vec2(1), 1, 1};
-    return {min, Vec2(side), static_cast<int>(size.x / side) + 1, static_cast<int>(size.y / side) + 1};
+  /// Whether a box has points to the left of a line or on it. Rounded areas grow and fall with the point as exact ones
+  /// do, so the box's corner farthest to the left has the largest of them.
+  static bool reaches(const search::Bounds<2>& box, Vec2 a, Vec2 b) {
+    return area(a, b, {box[0][b.y > a.y ? 0 : 1], box[1][b.x > a.x ? 1 : 0]}) >= 0;
   }
-  std::vector<int>& cell_of(int corner) {
-    return cells_[grid_.cell(grid_.column(p_[corner].x), grid_.row(p_[corner].y))];
+
+  void build() {
+    halve(members_.begin(), members_.end());
+    tree_ = {members_.size(), [&](std::size_t i) {
+               const Vec2& p = p_[members_[i]];
+               return search::Bounds<2>{{{p.x, p.x}, {p.y, p.y}}};
+             }};
+  }
+
+  void halve(std::vector<int>::iterator begin, std::vector<int>::iterator end) {
+    if (end - begin < 2) return;
+    Vec2 min = p_[*begin], max = min;
+    for (auto i = begin; i != end; ++i) {
+      min = glm::min(min, p_[*i]);
+      max = glm::max(max, p_[*i]);
+    }
+    const int axis = max.x - min.x >= max.y - min.y ? 0 : 1;
+    const auto middle = begin + (end - begin) / 2;
+    std::nth_element(begin, middle, end, [&](int a, int b) { return p_[a][axis] < p_[b][axis]; });
+    halve(begin, middle);
+    halve(middle, end);
   }
 
   const std::vector<Vec2>& p_;
-  search::CellGrid grid_;
-  std::vector<std::vector<int>> cells_;
+  std::vector<char> is_left_;
+  std::size_t left_;
+  std::vector<int> members_;  ///< in the order of the tree
+  search::BoundsTree<2> tree_;
 };
 
 class EarClipper {
@@ -155,7 +184,7 @@ class EarClipper {
     const int before = previous_[at], behind = next_[at];
     const Vec2 a = p_[before], b = p_[at], c = p_[behind];
     if (!(area(a, b, c) > 0) || !sees(before, c) || !sees(behind, a)) return false;
-    return !corners_.any_in(glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c)), [&](int other) {
+    return !corners_.any_in({a, b, c}, [&](int other) {
       ++work_;
       const Vec2 q = p_[other];
       if (q == a || q == b || q == c) return false;  // also at bridges; `sees` has tested the edges from there
@@ -176,7 +205,7 @@ class EarClipper {
 
   const std::vector<Vec2>& p_;
   std::vector<int> next_, previous_;
-  CornerGrid corners_;
+  CornerTree corners_;
   /// The corners that may be ears: a corner that is none becomes one only when a neighbour is cut.
   std::set<int> open_;
   long long work_ = 0;

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <numeric>
 
 #include "base/vec.hpp"
@@ -108,19 +110,41 @@ TEST(Triangulate, AnEarIsInsideAtBothEndsOfItsDiagonal) {
   expect_no_turned_triangle({{2, 2}, {1, 3}, {1, 0}, {3, 1}, {1, 2}, {1, 1}, {1, 0}});
 }
 
-// The box around each tooth of a slanted comb contains most of the other corners.
+Polygon star(int corners, int step) {
+  Polygon polygon;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * step * i / corners;
+    polygon.push_back({std::cos(angle), std::sin(angle)});
+  }
+  return polygon;
+}
+
+// A star that crosses itself everywhere has no ear at first, nor after most cuts.
 TEST(Triangulate, AFaceThatTakesTooLongIsTold) {
-  const auto slanted_comb = [](int teeth) {
-    Polygon comb{{0, -1}, {1, -1}};
-    for (int i = teeth; i > 0; --i) {
-      const double from = static_cast<double>(i) / teeth, to = (i - 0.9) / teeth;
-      comb.insert(comb.end(), {{from, 0}, {from + 1, 1}, {to, 0}});
-    }
-    return comb;
-  };
-  const Polygon many = slanted_comb(20'000), few = slanted_comb(200);
+  const Polygon many = star(40'001, 20'000), few = star(2001, 1000);
   EXPECT_EQ(triangulated(many, in_a_plane(many)).unfinished, std::vector<int>{7});
   EXPECT_EQ(triangulated(few, in_a_plane(few)).unfinished, std::vector<int>());
+}
+
+// Rounded to few decimals a round face is not convex, and its corners leave nearly all of its box empty.
+TEST(Triangulate, ARoundFaceOfAMillionCornersIsDividedToTheEnd) {
+  Polygon round = star(1'000'000, 1);
+  for (auto& [x, y] : round) {
+    x = std::round(5e8 * x) / 1e7;
+    y = std::round(5e8 * y) / 1e7;
+  }
+  EXPECT_EQ(triangulated(round, in_a_plane(round)).unfinished, std::vector<int>());
+}
+
+// The box around each tooth of a slanted comb contains most of the other corners.
+TEST(Triangulate, ASlantedCombIsDividedToTheEnd) {
+  constexpr int teeth = 20'000;
+  Polygon comb{{0, -1}, {1, -1}};
+  for (int i = teeth; i > 0; --i) {
+    const double from = static_cast<double>(i) / teeth, to = (i - 0.9) / teeth;
+    comb.insert(comb.end(), {{from, 0}, {from + 1, 1}, {to, 0}});
+  }
+  EXPECT_EQ(triangulated(comb, in_a_plane(comb)).unfinished, std::vector<int>());
 }
 
 }  // namespace
