@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace epura::verify {
 
@@ -280,25 +281,41 @@ std::vector<EdgePlace> LineMarks::path_around(int crossing) const {
 // Notes whether two pieces change places somewhere between two positions, and whether that is seen. Neighbours in a
 // surface do not.
 void LineMarks::note_crossings(double from, double to, Around& around) const {
-  std::vector<const SlicePiece*> there;
-  for (const SlicePiece& piece : slice_.pieces)
-    if (piece.u[0] < to && piece.u[1] > from && piece.width() > 0) there.push_back(&piece);
+  struct There {
+    const SlicePiece* piece;
+    double nearest, farthest;
+  };
+  std::vector<There> there;
+  for (const SlicePiece& piece : slice_.pieces) {
+    if (piece.u[0] >= to || piece.u[1] <= from || !(piece.width() > 0)) continue;
+    const auto [farthest, nearest] =
+        std::minmax({piece.depth_at(std::max(from, piece.u[0])), piece.depth_at(std::min(to, piece.u[1]))});
+    const bool is_known = farthest <= nearest;  // a depth may be no number
+    there.push_back(
+        {&piece, is_known ? nearest + limits_.contact : HUGE_VAL, is_known ? farthest - limits_.contact : -HUGE_VAL});
+  }
+  // Only pieces with a depth in common change places.
+  std::ranges::stable_sort(there, std::greater(), &There::nearest);
   for (std::size_t i = 0; i < there.size(); ++i)
     for (std::size_t j = i + 1; j < there.size() && !around.seen_crossing; ++j) {
-      const double low = std::max({from, there[i]->u[0], there[j]->u[0]});
-      const double high = std::min({to, there[i]->u[1], there[j]->u[1]});
-      if (!(low < high)) continue;
-      const double at_low = there[i]->depth_at(low) - there[j]->depth_at(low);
-      const double at_high = there[i]->depth_at(high) - there[j]->depth_at(high);
-      if (at_low * at_high > 0 || std::max(std::abs(at_low), std::abs(at_high)) <= clear_step * limits_.contact)
-        continue;
-      const auto& own = scene_.world.triangles[there[i]->triangle];
-      if (std::ranges::any_of(scene_.world.triangles[there[j]->triangle],
-                              [&](int v) { return std::ranges::count(own, v) > 0; }))
-        continue;
-      around.any_crossing = true;
-      around.seen_crossing = is_seen(low, there[i]->depth_at(low)) || is_seen(high, there[i]->depth_at(high));
+      if (there[j].nearest < there[i].farthest) break;
+      const auto [one, two] = std::minmax(there[i].piece, there[j].piece);
+      note_crossing({one, two}, {from, to}, around);
     }
+}
+
+void LineMarks::note_crossing(const std::array<const SlicePiece*, 2>& pieces, const std::array<double, 2>& within,
+                              Around& around) const {
+  const SlicePiece &one = *pieces[0], &two = *pieces[1];
+  const double low = std::max({within[0], one.u[0], two.u[0]}), high = std::min({within[1], one.u[1], two.u[1]});
+  if (!(low < high)) return;
+  const double at_low = one.depth_at(low) - two.depth_at(low), at_high = one.depth_at(high) - two.depth_at(high);
+  if (at_low * at_high > 0 || std::max(std::abs(at_low), std::abs(at_high)) <= clear_step * limits_.contact) return;
+  const auto& own = scene_.world.triangles[one.triangle];
+  if (std::ranges::any_of(scene_.world.triangles[two.triangle], [&](int v) { return std::ranges::count(own, v) > 0; }))
+    return;
+  around.any_crossing = true;
+  around.seen_crossing = is_seen(low, one.depth_at(low)) || is_seen(high, one.depth_at(high));
 }
 
 // Finds where faces that are lines on the page are seen where a depth limit cuts them.

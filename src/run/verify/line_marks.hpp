@@ -108,6 +108,8 @@ class LineMarks {
   [[nodiscard]] EdgePlace place_of(int crossing) const;
   [[nodiscard]] std::vector<EdgePlace> path_around(int crossing) const;
   void note_crossings(double from, double to, Around& around) const;
+  void note_crossing(const std::array<const SlicePiece*, 2>& pieces, const std::array<double, 2>& within,
+                     Around& around) const;
   [[nodiscard]] const PieceEnd* end_of(int crossing, int triangle) const;
   [[nodiscard]] bool is_edge_on(const std::array<int, 2>& edge, int triangle) const;
   [[nodiscard]] Beyond beyond(int crossing, int triangle, FoldRule::Needle needle) const;
