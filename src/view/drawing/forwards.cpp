@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "drawing/continuations.hpp"
 #include "drawing/limits.hpp"
 
 namespace epura::drawing {
@@ -53,29 +54,47 @@ bool is_better_reversed(std::span<const Vec2> line, double distance) {
          lies_on(line[last - 1], line[last], reversed, distance);
 }
 
+// Reverses pieces of a line from its start on, as long as one is better reversed.
+void reverse_pieces(std::vector<Vec2>& points, double distance) {
+  // Each change makes the line shorter, so that they come to an end; no line needs so many.
+  std::size_t changes_left = 4 * points.size();
+  for (std::size_t first = 1; first + 2 < points.size();) {
+    std::size_t count = 2;
+    const std::size_t most = std::min(max_reversed, points.size() - 1 - first);
+    while (count <= most && !is_better_reversed(std::span(points).subspan(first - 1, count + 2), distance)) ++count;
+    if (count > most || changes_left == 0) {
+      ++first;
+      continue;
+    }
+    --changes_left;
+    check(first >= 1 && first + count < points.size(), "the ends of a line stay where they are");
+    const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
+    std::reverse(begin, begin + static_cast<std::ptrdiff_t>(count));
+    first -= std::min(first - 1, max_reversed);
+  }
+}
+
 }  // namespace
 
 std::vector<Vec2> go_forwards(std::vector<Vec2> points, bool closed, double distance) {
   if (closed) points.push_back(points.front());
-  if (points.size() >= 4 && turns_back(points)) {
-    // Each change makes the line shorter, so that they come to an end; no line needs so many.
-    std::size_t changes_left = 4 * points.size();
-    for (std::size_t first = 1; first + 2 < points.size();) {
-      std::size_t count = 2;
-      const std::size_t most = std::min(max_reversed, points.size() - 1 - first);
-      while (count <= most && !is_better_reversed(std::span(points).subspan(first - 1, count + 2), distance)) ++count;
-      if (count > most || changes_left == 0) {
-        ++first;
-        continue;
-      }
-      --changes_left;
-      check(first >= 1 && first + count < points.size(), "the ends of a line stay where they are");
-      const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
-      std::reverse(begin, begin + static_cast<std::ptrdiff_t>(count));
-      first -= std::min(first - 1, max_reversed);
-    }
-  }
+  const bool is_wanted = points.size() >= 4 && turns_back(points);
   if (closed) points.pop_back();
+  if (!is_wanted) return points;
+  // One change may rule out another: where to begin, and which way to go, is decided by the places.
+  const auto order = [](const Vec2& point) { return order_on_page(point); };
+  const Vec2 start = points.front();
+  const auto begin_at = [&](std::vector<Vec2>::iterator point) { std::rotate(points.begin(), point, points.end()); };
+  if (closed) begin_at(std::ranges::min_element(points, {}, order));
+  const bool is_backwards = order(points.back()) < order(points[closed ? 1 : 0]);
+  const auto turn = [&] { std::reverse(points.begin() + (closed ? 1 : 0), points.end()); };
+  if (is_backwards) turn();
+  if (closed) points.push_back(points.front());
+  reverse_pieces(points, distance);
+  if (closed) points.pop_back();
+  if (is_backwards) turn();
+  if (closed) begin_at(std::find(points.begin(), points.end(), start));
+  check(points.front() == start, "the first point of a line stays first");
   return points;
 }
 

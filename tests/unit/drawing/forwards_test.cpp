@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 namespace epura::drawing::forwards_test {
 namespace {
@@ -59,6 +61,36 @@ TEST(Forwards, TeethHigherThanTheDistanceStay) {
   const Points lower = go_forwards(teeth(0.01), false, 0.05);
   EXPECT_LT(length_of(lower), 3.001);
   EXPECT_EQ(lower.size(), 6U);
+}
+
+// Lines that go back and forth at random, where one change rules out another.
+Points zigzag(std::mt19937& random) {
+  const auto up_to = [&](double most) { return std::ldexp(static_cast<double>(random() >> 8), -24) * most; };
+  Points points;
+  for (int i = 0; i < 12; ++i) points.emplace_back(i + up_to(4), up_to(0.2));
+  return points;
+}
+
+TEST(Forwards, WhereALineBeginsMakesNoDifference) {
+  std::mt19937 random(1);
+  int changed = 0;
+  for (int i = 0; i < 200; ++i) {
+    const Points line = zigzag(random);
+    const Points open = go_forwards(line, false, 0.15), ring = go_forwards(line, true, 0.15);
+    changed += open != line || ring != line ? 1 : 0;
+    Points other = go_forwards(Points(line.rbegin(), line.rend()), false, 0.15);
+    std::ranges::reverse(other);
+    EXPECT_EQ(other, open);
+    for (std::size_t start = 0; start < line.size(); ++start) {
+      Points turned(line);
+      std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(start), turned.end());
+      Points once = go_forwards(turned, true, 0.15);
+      EXPECT_EQ(once.front(), turned.front());
+      std::rotate(once.begin(), std::ranges::find(once, ring.front()), once.end());
+      EXPECT_EQ(once, ring);
+    }
+  }
+  EXPECT_GT(changed, 50);
 }
 
 TEST(Forwards, TheEndsStay) {
