@@ -175,12 +175,16 @@ void warn_about(const Messages& messages, const SheetPlan& plan) {
 void warn_about(const Messages& messages, const report::Partial& partial) {
   std::string sentence = "the drawing is partial: the time limit cut short ";
   for (const std::string& stage : partial.stages)
-    sentence += (&stage == &partial.stages.front() ? "'" : ", '") + stage + "'";
+    if (!partial.too_many_crossings || stage != "finding intersections") append_to_list(cut, "'" + stage + "'");
+  if (partial.too_many_crossings) sentence += "faces cross in too many places to find all lines where they do";
+  if (!cut.empty()) sentence += (partial.too_many_crossings ? "; " : "") + ("the time limit cut short " + cut);
   sentence += "; missing: " + std::to_string(partial.undecided) + " of " + std::to_string(partial.edges) + " edges";
   if (partial.searched < 1)
     sentence += ", " + format_fixed(100 * (1 - partial.searched), 1) + " % of the search for intersection lines";
   if (partial.undrawn > 0) sentence += ", " + std::to_string(partial.undrawn) + " lines and dimensions";
-  messages.warn(sentence + "\n  hint: raise --time-limit, or select fewer edges with --edges");
+  messages.warn(sentence + "\n  hint: " +
+                (partial.too_many_crossings ? "leave out bodies that lie in one another, or intersection in --edges"
+                                            : "raise --time-limit, or select fewer edges with --edges"));
 }
 
 Error nothing_drawn(const std::string& stage) {

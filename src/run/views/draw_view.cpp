@@ -296,6 +296,7 @@ void ViewRun::find_edges() {
     keep_intersections(candidates.step);
     if (drawn_.searched < 1) partial_.add_stage("finding intersections");
     partial_.searched = drawn_.searched;
+    partial_.too_many_crossings = drawn_.too_many_crossings;
   } catch (const OutOfTime& cut) {
     partial_.add_stage(cut.stage);
   }
@@ -418,8 +419,7 @@ DrawnLines ViewRun::draw_lines(const view::PaperMap& paper) {
   return lines;
 }
 
-// Calls change_drawing(drawing, progress), with fewer lines if there is no time for all. After verification, which
-// tests all that is in the view.
+// After verification of the whole view, calls change_drawing(drawing, progress), with fewer lines if time is short.
 template <class Change>
 void ViewRun::change(DrawnLines& lines, const Change& change_drawing) {
   const auto make = [&](const Progress& progress) {

@@ -271,9 +271,10 @@ std::string step_of(const report::PlanStep& step) {
 }
 
 std::string partial_of(const report::Partial& partial) {
-  return "{\"reason\": \"time limit\", \"stages\": " + json_list(partial.stages, json_string) +
-         ", \"edges\": " + number(partial.edges) + ", \"undecided\": " + number(partial.undecided) +
-         ", \"searched\": " + number(partial.searched) + ", \"undrawn\": " + number(partial.undrawn) + "}";
+  return std::string("{\"reason\": \"") + (partial.too_many_crossings ? "too many crossings" : "time limit") +
+         "\", \"stages\": " + json_list(partial.stages, json_string) + ", \"edges\": " + number(partial.edges) +
+         ", \"undecided\": " + number(partial.undecided) + ", \"searched\": " + number(partial.searched) +
+         ", \"undrawn\": " + number(partial.undrawn) + "}";
 }
 
 std::string facet_of(const report::FacetName& facet) { return numbers(std::array{facet.model, facet.face}); }

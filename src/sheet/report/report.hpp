@@ -38,12 +38,13 @@ struct PlanStep {
   PlanTimes times{};    ///< empty unless requested: outputs are byte-stable
 };
 
-/// Work that was left undone because of a time limit.
+/// Work that was left undone because of a time limit, or because faces cross in too many places.
 struct Partial {
   std::vector<std::string> stages{};   ///< stages cut short, by their names in Progress; none: everything is done
   long long edges = 0, undecided = 0;  ///< undecided edges are not drawn
   double searched = 1;                 ///< fraction of the search for intersection lines that was done, 0 to 1
   long long undrawn = 0;               ///< lines of decided edges, and dimensions, that are not drawn
+  bool too_many_crossings = false;     ///< whether their number ended the search for intersection lines, not time
 
   void add_stage(const std::string& stage) {
     if (std::find(stages.begin(), stages.end(), stage) == stages.end()) stages.push_back(stage);
@@ -54,6 +55,7 @@ struct Partial {
     edges += other.edges;
     undecided += other.undecided;
     searched = std::min(searched, other.searched);
+    too_many_crossings = too_many_crossings || other.too_many_crossings;
     undrawn += other.undrawn;
   }
 };

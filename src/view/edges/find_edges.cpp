@@ -144,10 +144,11 @@ FeatureEdges find_feature_edges(const world::World& world, view::ProjectedScene&
   FeatureEdges drawn = edges_of_meshes(world, view, options, progress);
   if (options.intersection) {
     const double normalisation = view.map.normalisation;
-    auto [crossings, searched] = find_intersections(world, normalisation, view.contact.in_space, candidates,
-                                                    progress.with_part_of_the_time(part_for_search));
-    drawn.crossings = std::move(crossings);
-    drawn.searched = searched;
+    FaceCrossings crossings = find_intersections(world, normalisation, view.contact.in_space, candidates,
+                                                 progress.with_part_of_the_time(part_for_search));
+    drawn.crossings = std::move(crossings.found);
+    drawn.searched = crossings.searched;
+    drawn.too_many_crossings = crossings.too_many;
     drop_contacts(world, normalisation, {options.crease_angle, options.part_angle}, drawn,
                   progress.with_part_of_the_time(part_for_search));
   }

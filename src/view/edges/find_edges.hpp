@@ -66,7 +66,8 @@ struct FeatureEdges {
   std::vector<ClearContour> clear_contours;
   std::vector<FaceCrossing> crossings;  ///< intersections; lines of threads, with one triangle twice
   double moved = 0;                     ///< greatest distance between ink and the edges that it shows; view units
-  double searched = 1;                  ///< fraction of the search for crossings that was completed in time
+  double searched = 1;                  ///< fraction of the search for crossings that was completed
+  bool too_many_crossings = false;      ///< whether it ended for their number, not for lack of time
 };
 
 /// If time runs out during the search for crossings, those found so far are returned; if it runs out before, OutOfTime

@@ -233,22 +233,30 @@ FaceCrossings find_intersections(const world::World& world, double normalisation
   const std::vector<search::TriangleTree::NodePair> tasks = tree.tasks(1024);
   progress.begin("finding intersections", tasks.size());
   std::vector<std::vector<FaceCrossing>> found(tasks.size());
-  std::atomic<std::size_t> finished = 0;
+  std::atomic<std::size_t> finished = 0, work = 0;
   const auto search = [&](std::size_t task) {
+    std::size_t pairs = 0;
     tree.search(tasks[task], [&](int a, int b) {
       progress.expect_time();
+      ++pairs;
       if (const auto crossing = crossings.cross(triangles[a], triangles[b])) found[task].push_back(*crossing);
     });
+    work += found[task].size() + pairs / pairs_a_crossing;
     ++finished;
     progress.advance(1);
   };
+  const auto is_too_much = [&] { return work > most_crossings + triangles.size(); };
   try {
-    parallel_for(tasks.size(), 1, progress, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t task = begin; task < end; ++task) search(task);
-    });
+    // Part by part, each of which is searched to its end: where the search ends does not depend on threads.
+    constexpr std::size_t part = 32;
+    for (std::size_t first = 0; first < tasks.size() && !is_too_much(); first += part)
+      parallel_for(std::min(part, tasks.size() - first), 1, progress, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t task = first + begin; task < first + end; ++task) search(task);
+      });
   } catch (const OutOfTime&) {  // what was found so far is valid
   }
   FaceCrossings all{{}, static_cast<double>(finished) / static_cast<double>(tasks.size())};
+  all.too_many = all.searched < 1 && is_too_much();
   for (const auto& part : found) all.found.insert(all.found.end(), part.begin(), part.end());
   parallel_sort(all.found.begin(), all.found.end());
   for (const FaceCrossing& crossing : all.found) {

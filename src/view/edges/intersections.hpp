@@ -20,7 +20,8 @@ struct FaceCrossing {
 
 struct FaceCrossings {
   std::vector<FaceCrossing> found;
-  double searched = 1;  ///< fraction of the search that was completed in time; 1: all of it
+  double searched = 1;    ///< fraction of the search that was completed; 1: all of it
+  bool too_many = false;  ///< whether it ended for their number, not for lack of time
 };
 
 /// The triangles that may cross others.
@@ -34,7 +35,8 @@ struct CrossingCandidates {
 /// Returns all crossings longer than `contact` of two triangles without a common edge, sorted by their triangles. Faces
 /// that only touch (a corner or an edge within `contact` of the other's plane) do not cross; an edge that lies in the
 /// other plane counts if its surface continues on the other side. `normalisation` is a power of two that scales the
-/// size of the world to about 1; `contact` is a normalised length. Only the candidates are searched.
+/// size of the world to about 1; `contact` is a normalised length. Only the candidates are searched, and only until
+/// there are too many (`most_crossings`): then what is found does not depend on threads either.
 FaceCrossings find_intersections(const world::World& world, double normalisation, double contact,
                                  const CrossingCandidates& candidates, Progress progress = {});
 

@@ -70,5 +70,9 @@ inline constexpr double widest_countersink = 1.15;  ///< the same inside
 // How much time is spent.
 
 inline constexpr double part_for_search = 0.4;  ///< of what remains, for each of two steps; the lines need the rest
+/// Crossings of faces, besides one for each face: more are found where copies lie in one another, of which each crosses
+/// all others. Their lines would take minutes, and 300 bytes each.
+inline constexpr std::size_t most_crossings = 1 << 21;
+inline constexpr std::size_t pairs_a_crossing = 256;  ///< pairs of faces that take as long to reject as one crossing
 
 }  // namespace epura::edges

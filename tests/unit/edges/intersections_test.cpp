@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <utility>
 #include <vector>
 
+#include "base/parallel.hpp"
 #include "edges/crossing_candidates.hpp"
+#include "edges/limits.hpp"
 #include "shapes.hpp"
 
 namespace epura::test::intersections_test {
@@ -66,6 +69,38 @@ TEST(Intersections, HaveNoTrianglesLowerThanContact) {
   EXPECT_TRUE(is_low(0));
   EXPECT_TRUE(is_low(0.25));
   EXPECT_FALSE(is_low(0.26));
+}
+
+// Upright triangles in two directions, of which each crosses all of the other direction.
+edges::FaceCrossings crossings_of_lattice(int lines) {
+  Shape lattice;
+  const auto add = [&](const std::array<Point, 3>& corners) {
+    const int first = static_cast<int>(lattice.points.size());
+    lattice.points.insert(lattice.points.end(), corners.begin(), corners.end());
+    lattice.faces.push_back({first, first + 1, first + 2});
+  };
+  for (int i = 0; i < lines; ++i) {
+    const double at = static_cast<double>(i) / lines;
+    add({Point{at, -1, -1}, Point{at, 2, -1}, Point{at, 0.5, 2}});
+    add({Point{-1, at, -1}, Point{2, at, -1}, Point{0.5, at, 2}});
+  }
+  const world::World world = world_of({lattice});
+  return edges::find_intersections(world, 0.25, 1e-9, edges::all_triangles(world));
+}
+
+TEST(Intersections, EndWhereThereAreTooMany) {
+  const edges::FaceCrossings all = crossings_of_lattice(400);
+  EXPECT_EQ(all.found.size(), 400U * 400);
+  EXPECT_EQ(all.searched, 1);
+  EXPECT_FALSE(all.too_many);
+  const edges::FaceCrossings some = crossings_of_lattice(1800);
+  EXPECT_TRUE(some.too_many);
+  EXPECT_LT(some.searched, 1);
+  EXPECT_GT(some.found.size(), edges::most_crossings);
+  EXPECT_LT(some.found.size(), 1.2 * edges::most_crossings);
+  const ThreadLimit one(1);
+  EXPECT_TRUE(std::ranges::equal(crossings_of_lattice(1800).found, some.found,
+                                 [](const auto& a, const auto& b) { return a.triangles == b.triangles; }));
 }
 
 }  // namespace

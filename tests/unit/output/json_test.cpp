@@ -118,6 +118,8 @@ TEST(Json, PartialDrawingsSayWhatIsMissing) {
   EXPECT_EQ(json["partial"]["searched"].number(), 0.75);
   EXPECT_EQ(json["partial"]["stages"].items.at(1).text, "writing");
   EXPECT_EQ(json["partial"]["undrawn"].number(), 7);
+  report.partial.too_many_crossings = true;
+  EXPECT_EQ(parse(output::to_json({1, 1, "", {}}, 1, {}, report))["partial"]["reason"].text, "too many crossings");
 }
 
 TEST(Json, TimesStandThereOnlyWhenAskedFor) {
