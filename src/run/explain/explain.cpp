@@ -178,8 +178,9 @@ struct Storyteller {
 std::string explain(const ExplainInput& drawn_view, const TriangleBoxes& boxes, const Subject& subject) {
   const auto ends = ends_of(drawn_view, subject);
   std::string text = name_of(drawn_view, subject) + " of " + owner_of(drawn_view, subject) + ", " +
-                     format_value(ends[0]) + " to " + format_value(ends[1]) + "\n  " + reason_of(drawn_view, subject) +
-                     "\n";
+                     format_value(ends[0]) + " to " + format_value(ends[1]) +
+                     (subject.away ? ", " + format_value(*subject.away) + " mm from the place" : "") + "\n  " +
+                     reason_of(drawn_view, subject) + "\n";
   if (subject.drawn < 0) return text;
   const Storyteller teller{drawn_view, drawn_view.drawn.edges[subject.drawn], subject};
   const std::vector<Occlusion> hiders = find_hiders(drawn_view, boxes, subject.drawn);

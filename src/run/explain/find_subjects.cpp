@@ -141,7 +141,10 @@ std::vector<Subject> find(const ExplainInput& drawn_view, const ByPlace& wanted)
   const std::size_t count = std::min(nearest_edges, near.size());
   std::partial_sort(near.begin(), near.begin() + count, near.end());
   std::vector<Subject> subjects;
-  for (std::size_t i = 0; i < count; ++i) subjects.push_back(drawn_subject(drawn_view, near[i].second));
+  for (std::size_t i = 0; i < count; ++i) {
+    subjects.push_back(drawn_subject(drawn_view, near[i].second));
+    subjects.back().away = near[i].first;
+  }
   return subjects;
 }
 

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,8 +32,9 @@ struct ExplainInput : visibility::ResolvedView {
 
 struct Subject {
   int model;
-  int mesh_edge;  ///< number in its model; -1 for an intersection line
-  int drawn;      ///< index in FeatureEdges::edges; -1 if no part of it is drawn
+  int mesh_edge;                 ///< number in its model; -1 for an intersection line
+  int drawn;                     ///< index in FeatureEdges::edges; -1 if no part of it is drawn
+  std::optional<double> away{};  ///< distance on the sheet from the place that was asked about, mm
 };
 
 /// Returns the face to which a triangle of the world belongs.

@@ -41,7 +41,14 @@ TEST_F(Plates, WhyTellsWhatHidesAnEdgeAndWhere) {
 TEST_F(Plates, APlaceOfThePageMeansTheEdgesNearestToIt) {
   const Outcome run = ask({"--why", "@153,113"});
   EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(run.out.starts_with("0:2-3 of plate.obj")) << run.out;
+  EXPECT_TRUE(run.out.starts_with("0:2-3 of plate.obj, (4, 2, 0) to (0, 2, 0), 0.5 mm from the place\n")) << run.out;
+}
+
+TEST_F(Plates, APlaceFarFromAllEdgesIsToldToBeFar) {
+  // The end of 40 mm of ink nearest to the place is 173.5, 112.5.
+  const Outcome run = ask({"--why", "@473.5,512.5"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(contains(run.out, " 500 mm from the place\n")) << run.out;
 }
 
 TEST_F(Plates, TheDrawingIsWrittenTooWhereAskedFor) {
