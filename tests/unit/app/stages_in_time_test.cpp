@@ -173,6 +173,28 @@ TEST(StagesInTime, WithoutTimeForFacesTheSheetIsMarked) {
   EXPECT_TRUE(contains(read_file(svg), "-sheet-partial\" inkscape:groupmode"));
 }
 
+// Recognition takes most of the time, and lines most of the rest; nothing is cut, and no byte differs.
+TEST(StagesInTime, WhatFitsIsNotCut) {
+  const Folder folder;
+  const std::string svg = (folder / "x.svg").string(), json = (folder / "x.json").string();
+  const std::vector<std::string> arguments{sample("shaft.obj"), "-o", svg, "-o", json, "--projection", "dimetric"};
+  const Drawn whole = draw_struck_at("", arguments);
+  const std::string whole_svg = read_file(svg), whole_json = read_file(json);
+  double now = 0.02 * limit;  // when it is read
+  const auto clock = [&](const std::string& stage, int look) {
+    const auto part = [&] { return std::min(1.0, look / static_cast<double>(whole.looks.at(stage))); };
+    if (stage == "recognising faces") now = std::max(now, (0.02 + 0.83 * part()) * limit);
+    if (stage == "hiding lines") now = std::max(now, (0.85 + 0.1 * part()) * limit);
+    return now;
+  };
+  const Drawn run = draw_by(clock, arguments);
+  EXPECT_EQ(run.error, "");
+  EXPECT_EQ(run.stages, std::vector<std::string>());
+  EXPECT_GE(now, 0.94 * limit);
+  EXPECT_EQ(read_file(svg), whole_svg);
+  EXPECT_EQ(read_file(json), whole_json);
+}
+
 // Reading took so long that recognition would leave no time for lines: it is not begun, and all lines are there. Seen
 // so, contours of the part lie between the corners of its mesh.
 TEST(StagesInTime, FacesAreNotRecognisedAtTheExpenseOfLines) {
