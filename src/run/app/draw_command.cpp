@@ -15,7 +15,7 @@
 namespace epura {
 
 int exit_code_of(const DrawnFiles& drawn) {
-  if (drawn.is_wrong() || drawn.report.cut_off) return found_wrong_exit_code;
+  if (drawn.is_wrong() || drawn.report.cut_off || drawn.report.unmatched_sizes) return found_wrong_exit_code;
   const std::vector<report::RequirementRow>& rows = drawn.report.requirements;
   const auto is_missing = [](const report::RequirementRow& row) { return row.is_missing(); };
   if (std::any_of(rows.begin(), rows.end(), is_missing)) return found_wrong_exit_code;

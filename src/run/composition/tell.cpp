@@ -107,17 +107,20 @@ std::string first_of(const std::vector<std::string>& texts) {
   return list;
 }
 
-void warn_of_unmatched(const Messages& messages, const scene::SceneDescription& scene, MatchedSizes sizes) {
+bool warn_of_unmatched(const Messages& messages, const scene::SceneDescription& scene, MatchedSizes sizes) {
   std::sort(sizes.texts.begin(), sizes.texts.end());
   sizes.texts.erase(std::unique(sizes.texts.begin(), sizes.texts.end()), sizes.texts.end());
+  bool is_unmatched = false;
   for (const scene::DimensionDescription& wish : scene.dimensions) {
     if (!wish.match.given() || std::find(sizes.where.begin(), sizes.where.end(), wish.where) != sizes.where.end())
       continue;
+    is_unmatched = true;
     messages.warn(wish.match.where + ": no automatic size is '" + *wish.match + "'\n  hint: " +
                   (sizes.texts.empty()
                        ? "there are none without a [[dimension]] of type auto or overall, or --dimensions"
                        : did_you_mean(*wish.match, sizes.texts)));
   }
+  return is_unmatched;
 }
 
 void warn_if_empty(const Messages& messages, const ViewResult& result, const ViewInput& input) {
@@ -173,7 +176,7 @@ void warn_about(const Messages& messages, const SheetPlan& plan) {
 }
 
 void warn_about(const Messages& messages, const report::Partial& partial) {
-  std::string sentence = "the drawing is partial: the time limit cut short ";
+  std::string cut, sentence = "the drawing is partial: ";
   for (const std::string& stage : partial.stages)
     if (!partial.too_many_crossings || stage != "finding intersections") append_to_list(cut, "'" + stage + "'");
   if (partial.too_many_crossings) sentence += "faces cross in too many places to find all lines where they do";

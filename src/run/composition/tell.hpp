@@ -25,8 +25,8 @@ void tell_of_scales(const Messages& messages, const SheetPlan& plan, const scene
 /// The first of many texts: "'⌀8', '20', '30' and 3 others (epura lint lists all)".
 std::string first_of(const std::vector<std::string>& texts);
 
-/// For each [[dimension]] whose pattern no automatic size matches.
-void warn_of_unmatched(const Messages& messages, const scene::SceneDescription& scene, MatchedSizes sizes);
+/// Warns of each [[dimension]] whose pattern no automatic size matches. Returns whether there is one.
+bool warn_of_unmatched(const Messages& messages, const scene::SceneDescription& scene, MatchedSizes sizes);
 
 /// Warns of a view without lines of the selected kinds, or without any in its window. Throws Error{input} for a view
 /// that should have lines, but has lost all of them in the rounding of coordinates.

@@ -544,7 +544,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
     take_back(required, finished.back().unplaced);
     set_zones(required, finished.back().zones);
   }
-  warn_of_unmatched(messages, scene, gathered.sizes);
+  gathered.report.unmatched_sizes = warn_of_unmatched(messages, scene, gathered.sizes);
   gathered.report.requirements = end_ledger(required, messages, options.allow_missing);
   if (options.keeps_drawings) add_dimension_facts(finished, gathered.dimensioned, worlds.main(), scene);
   if (options.lint) lint(finished, worlds);

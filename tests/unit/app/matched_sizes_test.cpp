@@ -85,11 +85,15 @@ TEST_F(MatchedSizes, LeaveRowsFromOneOrigin) {
 
 TEST_F(MatchedSizes, ThatAreNotThereAreTold) {
   const Outcome run = draw("one", automatic + wish + "\"⌀11\"\ntolerance = \"H7\"\n");
-  EXPECT_EQ(run.code, 0);
+  EXPECT_EQ(run.code, 1);
   EXPECT_TRUE(contains(run.err, "scene.toml:14:9: no automatic size is '⌀11'")) << run.err;
   EXPECT_TRUE(contains(run.err, "⌀10 ↧12")) << run.err;
   const Outcome none = draw("one", wish + "\"⌀10\"\ntolerance = \"H7\"\n");
+  EXPECT_EQ(none.code, 1);
   EXPECT_TRUE(contains(none.err, "--dimensions")) << none.err;
+  const Outcome option = draw("one", "", {"--dimensions", "auto", "--tolerance", "99=±1"});
+  EXPECT_EQ(option.code, 1);
+  EXPECT_TRUE(contains(option.err, "no automatic size is '99'")) << option.err;
 }
 
 TEST_F(MatchedSizes, RefuseWhatTheyCannotSay) {
