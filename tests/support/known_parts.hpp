@@ -458,7 +458,7 @@ inline Loop teeth(int count, double tip, double root, double turned) {
   return outline;
 }
 
-// A ring with a keyway in its bore: 15 degrees to both sides are 2 x 2.588 wide.
+// A ring with a keyway in its bore: 15 degrees to both sides are 2 x 2.588 wide, and its floor is 13 above the axis.
 inline std::string keyed_hub() {
   Plate plate(8);
   Loop bore = circle({0, 0}, 10, 0);
@@ -480,7 +480,7 @@ inline std::vector<KnownPart> interrupted_circles() {
           {"a keyway", block(keyed, 40), {"⌀20", "40", "6", "16.5"}},
           {"teeth", block(teeth(8, 20, 15, 0), 40), {"⌀40", "40", "⌀30"}, no_sides_of_teeth},
           {"teeth beside the axes", block(teeth(8, 20, 15, 22.5), 40), {"⌀40", "40", "⌀30"}, no_sides_of_teeth},
-          {"a keyed hub", keyed_hub(), {"⌀40", "8", "⌀20", "5.18", "33"}}};
+          {"a keyed hub", keyed_hub(), {"⌀40", "8", "⌀20", "5.18", "23"}}};
 }
 
 inline std::vector<KnownPart> blocks() {

@@ -256,13 +256,40 @@ bool is_cut_into(const LevelFeature& level, const CylinderFeature& shaft, const 
   return aside.from < -slack && aside.to > slack;
 }
 
-// Of several shafts around a level, the thinnest counts.
+// Whether a level is the floor of a keyway in a bore: its sides are steps, too, from the floor to the bore.
+bool is_keyed_into(const LevelFeature& level, const CylinderFeature& bore, const std::vector<LevelFeature>& levels) {
+  const double slack = same_size * bore.radius, depth = level.at - bore.from[level.axis];
+  const int along = axis_along(bore.axis), across = 3 - along - level.axis;
+  if (!bore.inwards || along < 0 || along == level.axis || std::abs(depth) <= bore.radius + slack) return false;
+  Range aside;
+  for (const Vec3& p : level.points)
+    if (std::abs(p[across] - bore.from[across]) < bore.radius) aside.add(p[across]);
+  const auto is_on_floor = [&](const Vec3& p) { return std::abs(p[level.axis] - level.at) <= slack; };
+  const auto is_on_bore = [&](const Vec3& p) {
+    return holds(bore, p) && distance_from_line(p, bore.from, bore.axis) >= bore.radius - slack &&
+           (p[level.axis] - bore.from[level.axis]) * depth > 0;
+  };
+  const auto has_side = [&](double at) {
+    return std::any_of(levels.begin(), levels.end(), [&](const LevelFeature& side) {
+      return side.axis == across && std::abs(side.at - at) <= slack &&
+             std::any_of(side.points.begin(), side.points.end(), is_on_floor) &&
+             std::any_of(side.points.begin(), side.points.end(), is_on_bore);
+    });
+  };
+  return aside.size() > slack && has_side(aside.from) && has_side(aside.to);
+}
+
+// Of several shafts around a level, or bores beside it, the thinnest counts.
 std::vector<LevelFeature> with_other_sides(std::vector<LevelFeature> levels, const PartFeatures& features) {
+  std::vector<CylinderFeature> round = features.cylinders;
+  for (const HoleFeature& hole : features.holes)
+    round.push_back({hole.model, hole.mouth, hole.mouth - hole.reach * hole.axis, hole.axis, hole.diameter / 2, true});
   for (LevelFeature& level : levels) {
     const CylinderFeature* thinnest = nullptr;
-    for (const CylinderFeature& shaft : features.cylinders)
-      if ((thinnest == nullptr || shaft.radius < thinnest->radius) && is_cut_into(level, shaft, features))
-        thinnest = &shaft;
+    for (const CylinderFeature& one : round)
+      if ((thinnest == nullptr || one.radius < thinnest->radius) &&
+          (is_cut_into(level, one, features) || is_keyed_into(level, one, levels)))
+        thinnest = &one;
     if (thinnest == nullptr) continue;
     const double middle = thinnest->from[level.axis];
     level.other_side = level.at > middle ? middle - thinnest->called() : middle + thinnest->called();

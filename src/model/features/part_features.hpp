@@ -142,7 +142,7 @@ struct LevelFeature {
   double at;
   double area;
   std::vector<Vec3> points;  ///< corners of the faces
-  /// Of a flat or the floor of a keyway: the place of the shaft's other side, from which it is measured.
+  /// Of a flat or the floor of a keyway: the place of the other side of its shaft or bore, from which it is measured.
   std::optional<double> other_side{};
   /// Of one side of a groove, rib, pocket or boss: the place of the side opposite.
   std::optional<double> partner{};
