@@ -140,6 +140,58 @@ inline std::vector<KnownPart> tongues() {
         {"a tongue " + std::to_string(i),
          block(outline, 6),
          {"(" + number(length + r) + ")", "(" + number(2 * r) + ")", "6", number(length), "R" + number(r)}});
+    Loop turned;
+    for (const Vec2& p : outline) turned.emplace_back(length - p.x, 2 * r - p.y);
+    parts.push_back({"a turned tongue " + std::to_string(i), block(turned, 6), parts.back().texts});
+  }
+  return parts;
+}
+
+/// Two round bosses that a lower web joins: the distance of their axes, and the size over them in brackets.
+inline std::vector<KnownPart> bosses_on_a_web() {
+  std::vector<KnownPart> parts;
+  for (int i = 0; i < variants; ++i) {
+    const double length = 50 + i, web = 6, half = 4 + 0.25 * i;
+    const std::array<double, 2> radii{14 + 0.5 * i, 9.0}, heights{20, 15};
+    Model model;
+    Loop outline, floor;
+    for (const std::size_t end : {0U, 1U}) {
+      const double r = radii[end], key = std::asin(half / r) * 180 / std::numbers::pi, way = end == 0 ? 0 : 180;
+      const auto arc = [&](double from, double to) {
+        Loop loop;
+        for (int step = 0; step <= 2 * k; ++step) {
+          const double angle = from + (to - from) * step / (2 * k);
+          loop.push_back(Vec2(end == 0 ? 0 : length, 0) + r * Vec2(cosine(angle), sine(angle)));
+        }
+        return loop;
+      };
+      const auto wall = [&](const Loop& loop, double low, double high) {
+        for (std::size_t p = 0; p + 1 < loop.size(); ++p)
+          model.face({Vec3(loop[p], low), Vec3(loop[p + 1], low), Vec3(loop[p + 1], high), Vec3(loop[p], high)});
+      };
+      const Loop outer = arc(way + key, way + 360 - key), inner = arc(way - key, way + key);
+      wall(outer, 0, web);
+      wall(outer, web, heights[end]);
+      wall(inner, web, heights[end]);
+      std::vector<Vec3> top;
+      for (const Vec2& p : outer) top.emplace_back(p, heights[end]);
+      for (std::size_t p = 1; p + 1 < inner.size(); ++p) top.emplace_back(inner[p], heights[end]);
+      model.face(top);
+      outline.insert(outline.end(), outer.begin(), outer.end());
+      floor.insert(floor.end(), inner.rbegin(), inner.rend());
+    }
+    std::vector<Vec3> bottom, above;
+    for (const Vec2& p : outline) bottom.emplace_back(p, 0);
+    for (const Vec2& p : floor) above.emplace_back(p, web);
+    model.face({bottom.rbegin(), bottom.rend()});
+    model.face(above);
+    const std::size_t next = outline.size() / 2;
+    for (const auto& [p, q] : {std::pair(outline[next - 1], outline[next]), std::pair(outline.back(), outline[0])})
+      model.face({Vec3(p, 0), Vec3(q, 0), Vec3(q, web), Vec3(p, web)});
+    parts.push_back({"bosses on a web " + std::to_string(i),
+                     model.obj(),
+                     {"(" + number(length + radii[0] + radii[1]) + ")", "⌀" + number(2 * radii[0]),
+                      "⌀" + number(2 * radii[1]), "20", "15", number(web), number(2 * half), number(length)}});
   }
   return parts;
 }

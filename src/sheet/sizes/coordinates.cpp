@@ -73,9 +73,13 @@ Datum datum_along(int axis, const features::Extent& extent, std::span<const Roun
       low = (world_axis(u) == axis ? u : v)[axis] > 0;
       break;
     }
-  const RoundEnd* end = end_along(ends, axis, low ? 0 : 1, extent);
-  if (end != nullptr && end->bulges(axis, low ? 0 : 1)) return {end->centre[axis], end->centre};
-  return {low ? extent.from : extent.to, std::nullopt};
+  const auto bulging = [&](int side) {
+    const RoundEnd* end = end_along(ends, axis, side, extent);
+    return end != nullptr && end->bulges(axis, side) ? end : nullptr;
+  };
+  const RoundEnd *own = bulging(low ? 0 : 1), *other = bulging(low ? 1 : 0);
+  if (own != nullptr && other != nullptr) return {own->centre[axis], own->centre};
+  return {low == (own == nullptr) ? extent.from : extent.to, std::nullopt};
 }
 
 }  // namespace

@@ -42,7 +42,8 @@ struct Datum {
 class Coordinates {
  public:
   /// Along each axis, all views measure from one end of the models: the left or lower one in the first view that shows
-  /// the axis. Where that end is round, and a view shows it so, they measure from its centre.
+  /// the axis. Where that end is round, and a view shows it so, they measure from the other one; from the centre of the
+  /// round one where both are.
   Coordinates(const DimensionSubject& subject, std::span<const RoundEnd> ends,
               std::span<const NamedProjection* const> views);
 

@@ -87,13 +87,15 @@ class FaceCounter {
   // A face that touches two round ends follows from them.
   [[nodiscard]] bool is_between_round_ends(const surfaces::PartFace& face) const {
     const Vec3& normal = face.surface.axis;
-    int touched = 0;
+    const RoundEnd* first = nullptr;
     for (const RoundEnd& end : ends_) {
       const double off = glm::dot(face.surface.origin - end.centre, normal),
                    slack = 10 * features::same_size * end.radius;
-      if (std::abs(glm::dot(normal, end.axis)) <= features::parallel && std::abs(off - end.radius) <= slack) ++touched;
+      if (std::abs(glm::dot(normal, end.axis)) > features::parallel || std::abs(off - end.radius) > slack) continue;
+      if (first != nullptr && features::distance_from_line(end.centre, first->centre, first->axis) > slack) return true;
+      if (first == nullptr) first = &end;
     }
-    return touched >= 2;
+    return false;
   }
 
   // Of a cone, one end: the other one, an angle or a length follows from the places of its ends.

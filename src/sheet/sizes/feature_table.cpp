@@ -195,7 +195,9 @@ std::string name_of(const features::CylinderFeature& cylinder, const Notation& n
 
 FeatureTable feature_table(const DimensionSubject& subject, const Notation& notation) {
   const PartFeatures& features = subject.features;
-  FeatureTable table{.round_ends = find_round_ends(features),
+  const FlatEnds flat = find_flat_ends(subject);
+  FeatureTable table{.flat_ends = flat,
+                     .round_ends = find_round_ends(subject, flat),
                      .channels = find_channels(subject),
                      .balls = find_placed_balls(features, notation),
                      .hexagon_chamfers = find_hexagon_chamfers(subject),

@@ -47,6 +47,7 @@ struct FeatureSize {
 
 struct FeatureTable {
   std::vector<FeatureSize> sizes{};  ///< by kind and feature; of a prism, two
+  FlatEnds flat_ends{};
   std::vector<RoundEnd> round_ends{};
   std::vector<RoundEnd> channels{};
   std::vector<int> balls{};  ///< numbers of spheres, as of find_placed_balls

@@ -118,9 +118,19 @@ std::vector<Row> MeasuredFaces::lengths(const Vec3& from, const Vec3& to, const 
     if (found.empty()) found = edges_at(point, along);
   }
   std::vector<Row> rows;
+  const auto is_line = [&](const End& end) {
+    const SurfaceKind kind = surface(end.faces.front()).kind;
+    return end.is_axis && (kind == SurfaceKind::cylinder || kind == SurfaceKind::cone);
+  };
   for (const End& first : ends[0])
-    for (const End& second : ends[1]) {
-      const Vec3 off = second.at - first.at;
+    for (End second : ends[1]) {
+      Vec3 off = second.at - first.at;
+      // From one axis to another, wherever along them.
+      if (direction < 0 && is_line(first) && is_line(second)) {
+        const Vec3& axis = surface(second.faces[0]).axis;
+        second.at -= glm::dot(off, axis) * axis;
+        off = second.at - first.at;
+      }
       if (direction < 0 && glm::length(glm::cross(off, along)) > slack_) continue;
       if (Row row = definition::length(unknowns_, part_, {first, second}, along, direction); !row.empty())
         rows.push_back(std::move(row));

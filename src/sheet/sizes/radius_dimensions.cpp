@@ -81,7 +81,8 @@ Planned arc_positions(const Planning& plan) {
     planned.append(positions_of(plan, std::array{arc.centre}, arc.axis, plan.views.along(arc.axis),
                                 plan.group_of(SizeKind::arc, arcs, &arc)));
   };
-  for (const RoundEnd& end : plan.table.round_ends) add(end.arc);
+  for (const RoundEnd& end : plan.table.round_ends)
+    if (end.arc >= 0) add(end.arc);
   for (const RoundEnd& channel : plan.table.channels) add(channel.arc);
   return planned;
 }

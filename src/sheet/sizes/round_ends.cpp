@@ -51,6 +51,14 @@ bool is_face_of(const surfaces::PartFace& face, const features::ArcFeature& arc)
              10 * features::same_size * arc.radius;
 }
 
+// Whether the size of the models along another axis is its diameter.
+bool is_shaft(const features::CylinderFeature& boss, const DimensionSubject& subject) {
+  return std::any_of(subject.extents.begin(), subject.extents.end(), [&boss](const features::Extent& extent) {
+    return extent.form == features::ExtentForm::diameter && features::are_parallel(extent.axis, boss.axis) &&
+           features::distance_from_line(extent.centre, boss.from, boss.axis) <= features::same_size * boss.radius;
+  });
+}
+
 }  // namespace
 
 bool RoundEnd::bulges(int along, int side) const {
@@ -72,13 +80,47 @@ bool RoundEnd::ends_models(int along, int side, const features::Extent& extent) 
          (is_half_turn(half) && degrees_between(middle, way * Mat3(1)[along]) <= half + slack_degrees);
 }
 
-std::vector<RoundEnd> find_round_ends(const features::PartFeatures& features) {
+FlatEnds find_flat_ends(const DimensionSubject& subject) {
+  FlatEnds flat{};
+  for (const world::Placed& placed : subject.world.models) {
+    const auto part = placed.part == nullptr ? std::nullopt : world::place_part(placed);
+    if (!part) continue;
+    for (const surfaces::PartFace& face : part->faces) {
+      const int axis = face.surface.kind == surfaces::SurfaceKind::plane ? features::axis_along(face.surface.axis) : -1;
+      if (axis < 0) continue;
+      const features::Extent& extent = subject.extents[static_cast<std::size_t>(axis)];
+      const double at = face.surface.origin[axis], slack = features::same_size * extent.size();
+      if (std::abs(at - extent.from) <= slack) flat[static_cast<std::size_t>(axis)][0] = true;
+      if (std::abs(at - extent.to) <= slack) flat[static_cast<std::size_t>(axis)][1] = true;
+    }
+  }
+  return flat;
+}
+
+std::vector<RoundEnd> find_round_ends(const DimensionSubject& subject, const FlatEnds& flat) {
+  const features::PartFeatures& features = subject.features;
   std::vector<RoundEnd> ends;
   for (std::size_t i = 0; i < features.arcs.size(); ++i) {
     if (features.arcs[i].inwards) continue;
     const RoundEnd end = end_of(features.arcs[i], static_cast<int>(i));
     if (is_half_turn(end.half) || has_hole(features, end)) ends.push_back(end);
   }
+  // The drawing of an assembly gives the places of its parts alone.
+  if (features.of_assembly) return ends;
+  for (const features::CylinderFeature& boss : features.cylinders)
+    for (const int along : {0, 1, 2})
+      for (const int side : {0, 1}) {
+        const features::Extent& extent = subject.extents[static_cast<std::size_t>(along)];
+        const auto& own = flat[static_cast<std::size_t>(along)];
+        const RoundEnd end{boss.from, boss.axis, boss.radius, (side == 0 ? -1.0 : 1.0) * Mat3(1)[along], 90, -1, false};
+        // A shaft with a flat has the distance from it to the side opposite.
+        const bool is_flattened = (own[0] || own[1]) && is_shaft(boss, subject);
+        if (!boss.inwards && !own[static_cast<std::size_t>(side)] && !is_flattened &&
+            end.ends_models(along, side, extent) && end_along(ends, along, side, extent) == nullptr)
+          ends.push_back(end);
+      }
+  check(std::all_of(ends.begin(), ends.end(), [](const RoundEnd& end) { return end.radius > 0; }),
+        "a round end has a radius");
   return ends;
 }
 

@@ -3,6 +3,7 @@
 // radius and the distance of their axes give the size of the part, whose overall dimension is auxiliary (ISO 129-1).
 #pragma once
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -15,7 +16,7 @@ struct RoundEnd {
   double radius;
   Vec3 middle;             ///< direction from the centre to the middle of the arc
   double half;             ///< of its sweep, degrees
-  int arc;                 ///< its number among the arcs of the features
+  int arc;                 ///< its number among the arcs of the features; -1 for a boss
   bool is_tangent = true;  ///< faces beside it go on tangentially
 
   /// Whether it reaches farther in that direction than its own ends, and thus than the faces beside it.
@@ -28,8 +29,12 @@ struct RoundEnd {
   [[nodiscard]] bool ends_models(int along, int side, const features::Extent& extent) const;
 };
 
-/// Those of half a turn or more, and others around the axis of a hole.
-std::vector<RoundEnd> find_round_ends(const features::PartFeatures& features);
+/// Along each axis of the world, whether a plane face is at the lower and at the upper end of the models.
+using FlatEnds = std::array<std::array<bool, 2>, 3>;
+FlatEnds find_flat_ends(const DimensionSubject& subject);
+
+/// Those of half a turn or more, others around the axis of a hole, and bosses in which the models end.
+std::vector<RoundEnd> find_round_ends(const DimensionSubject& subject, const FlatEnds& flat);
 
 /// Open channels, notches and ends of open slots: cut into the material, of half a turn or more, or with no face beside
 /// them that goes on tangentially, so that nothing but a position tells where their axes are.
