@@ -91,6 +91,28 @@ inline std::vector<KnownPart> rounded_trapezia() {
   return parts;
 }
 
+/// Slopes that were drawn by their angle: an end whose place would have to be rounded has none.
+inline std::vector<KnownPart> slopes_of_plain_angles() {
+  std::vector<KnownPart> parts;
+  for (int i = 0; i < variants; ++i) {
+    const double w = 80 + i, h = 40, turn = 20 + 2.5 * i, tangent = sine(turn) / cosine(turn), top = 20 + i;
+    const std::string degrees = number(turn) + "°";
+    parts.push_back({"a cut corner of " + degrees,
+                     block({{0, 0}, {w, 0}, {w, h}, {14 * tangent, h}, {0, h - 14}}, 12),
+                     {number(w), "40", "12", "26", degrees}});
+    parts.push_back(
+        {"a dovetail of " + degrees,
+         block(
+             {{0, 0}, {w, 0}, {w, h}, {60, h}, {60 + 8 * tangent, h - 8}, {top - 8 * tangent, h - 8}, {top, h}, {0, h}},
+             12),
+         {number(w), "40", "12", number(top), "60", "32", number(90 - turn) + "°", number(90 - turn) + "°"}});
+    parts.push_back({"a wedge of " + degrees,
+                     block({{0, 0}, {w, 0}, {w, 10}, {0, 10 + w * tangent}}, 12),
+                     {number(w), "(" + number(10 + w * tangent) + ")", "12", "10", number(90 - turn) + "°"}});
+  }
+  return parts;
+}
+
 /// A block of 45 degrees at one corner: a chamfer if it is smaller than what it leaves of the faces there, a slope with
 /// two places if it is larger, and if it fills a corner of the material.
 inline std::vector<KnownPart> slopes_of_45_degrees() {
@@ -382,7 +404,8 @@ inline std::vector<KnownPart> wedges_with_holes() {
     const double length = 60 + 3 * i, degrees = 12 + i;
     const int count = 1 + i % 3;
     KnownPart part{"holes in a slope of " + number(degrees), wedge_with_holes(length, degrees, count, 8), {}};
-    part.texts = {number(length * cosine(degrees)), "24", number(18 + length * sine(degrees)), "18", "12"};
+    part.texts = {number(length * cosine(degrees)), "24", "18", "12", number(90 - degrees) + "°"};
+    part.texts.push_back("(" + number(18 + length * sine(degrees)) + ")");
     part.texts.push_back((count > 1 ? number(count) + "× " : "") + "⌀6 ↧8");
     part.texts.push_back(number(length / count / 2));
     if (count == 2) part.texts.push_back(number(length * 0.75));

@@ -204,7 +204,8 @@ inline std::vector<KnownPart> wedges_with_pairs() {
     const std::string many = count > 1 ? number(count) + "× " : "";
     part.texts = {number(length * cosine(degrees)),
                   "48",
-                  number(18 + length * sine(degrees)),
+                  "(" + number(18 + length * sine(degrees)) + ")",
+                  number(90 - degrees) + "°",
                   "18",
                   "12",
                   "36",

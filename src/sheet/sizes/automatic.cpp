@@ -43,8 +43,9 @@ Planned overall_sizes(const Planning& plan, std::span<const NamedProjection> vie
   overall.type = {DimensionType::overall, plan.wanted.type.where};
   Planned planned{overall_dimensions(overall, views, plan.subject.extents)};
   for (DimensionDescription& dimension : planned.dimensions)
-    if (const int axis = axis_of(*dimension.direction);
-        is_over_round_end(plan, axis) || is_across_corners(plan, axis) || is_over_turned_part(plan, axis))
+    if (const int axis = axis_of(*dimension.direction); is_over_round_end(plan, axis) ||
+                                                        is_across_corners(plan, axis) ||
+                                                        is_over_turned_part(plan, axis) || is_over_slope(plan, axis))
       dimension.text = {"(<>)", plan.wanted.where};
   return planned;
 }

@@ -36,10 +36,10 @@ struct AutomaticPlan {
 /// Returns overall dimensions, as of overall_dimensions, and those of features:
 /// - holes, pitch circles, slots, arcs in a view along their axes; shafts and chamfers in a view across them
 /// - rounded edges of turned parts and ends of cones in a view across their axes; spheres where their outline is seen
-/// - chamfers of 45 degrees and ends of slopes in a view along them
+/// - chamfers of 45 degrees, angles and ends of slopes in a view along them
 /// - positions of holes, slots and bosses and heights of steps from one end of the models for all views, or from the
-///   axis of a round end there; along slopes from the end of their face; those of equally spaced ones as "3× 20 (=60)";
-///   holes on a pitch circle or about an axis have angles where they are uneven or askew
+///   axis of a round end if both are round; along slopes from the end of their face; those of equally spaced ones as
+///   "3× 20 (=60)"; holes on a pitch circle or about an axis have angles where they are uneven or askew
 /// If an arrangement is wanted, positions along one axis are one row of dimensions. If a table of holes is wanted,
 /// holes seen along their axes have labels instead of these, and pitch circles nothing. Sizes that no view shows in
 /// true length are omitted. The first of the views that show a feature equally well counts. Throws Error{input} if no

@@ -14,6 +14,7 @@
 #include "sizes/equal_features.hpp"
 #include "sizes/hexagon_widths.hpp"
 #include "sizes/place_chain.hpp"
+#include "sizes/slope_dimensions.hpp"
 
 namespace epura::sheet {
 
@@ -207,6 +208,16 @@ Joins joins_of_cones(const Reading& of) {
   return joins;
 }
 
+// Or the place of one end of a slope, given the other one.
+Joins joins_of_slopes(const Reading& of) {
+  Joins joins;
+  for (const features::BevelFeature& slope : of.subject.features.bevels)
+    if (const auto angled = angled_end(slope, of.subject, of.table, of.notation);
+        angled && is_angle_of(of.dimension, slope))
+      joins.push_back({angled->axis, slope.ends[0][angled->axis], slope.ends[1][angled->axis]});
+  return joins;
+}
+
 }  // namespace
 
 bool is_auxiliary(const AnchoredDimension& dimension) {
@@ -266,7 +277,7 @@ std::vector<PlaceJoin> joins_of(const AnchoredDimension& dimension, const Dimens
     case DimensionType::diameter:
       return joins_of_circles(of);
     case DimensionType::angular:
-      return joins_of_cones(of);
+      return joined(joins_of_cones(of), joins_of_slopes(of));
     default:
       return {};
   }

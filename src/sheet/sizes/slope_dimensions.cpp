@@ -10,7 +10,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/portable_math.hpp"
 #include "features/tolerances.hpp"
 #include "sizes/equal_features.hpp"
 
@@ -36,15 +38,62 @@ bool is_outside(const BevelFeature& slope, std::size_t end, const DimensionSubje
   return false;
 }
 
-// The corner, and the ends of its legs: along its neighbour, which the material lies behind, and along the slope.
-std::array<Vec3, 3> anchors_of_angle(const BevelFeature& slope, const DimensionSubject& subject) {
-  const bool first = slope.across[0] >= 0 && (slope.across[1] < 0 || is_outside(slope, 0, subject));
-  const std::size_t end = first ? 0 : 1;
+// Whether the neighbour at an end of a slope goes on from there along an axis.
+bool goes_on(const BevelFeature& slope, std::size_t end, const Vec3& along, const world::World& world) {
+  const double slack = features::same_point * glm::length(world.box.size());
+  const int across = slope.across[end];
+  const auto off = [&](int p) { return world.points[static_cast<std::size_t>(p)] - slope.ends[end]; };
+  return std::any_of(world.triangles.begin(), world.triangles.end(), [&](const std::array<int, 3>& corners) {
+    const auto any = [&](const auto& is) { return std::any_of(corners.begin(), corners.end(), is); };
+    return !any([&](int p) { return std::abs(off(p)[across]) > slack; }) &&
+           any([&](int p) { return std::abs(glm::dot(off(p), along)) <= slack; }) &&
+           any([&](int p) { return glm::dot(off(p), along) > slack; });
+  });
+}
+
+// The corner at an end, and the ends of its legs, at an acute angle: along its neighbour, or, shorter, to where an
+// extension line prolongs it, and along the slope.
+std::array<Vec3, 3> anchors_of_angle(const BevelFeature& slope, std::size_t end, const world::World& world) {
   check(slope.across[end] >= 0, "a slope has a neighbour that is perpendicular to an axis of the world");
   const int axis = 3 - slope.along - slope.across[end];
   const Vec3 corner = slope.ends[end], side = slope.ends[1 - end] - corner;
-  const double way = slope.normal[axis] > 0 ? -1 : 1;
-  return {corner, corner + way * glm::length(side) * Mat3(1)[axis], corner + side};
+  const Vec3 along = (side[axis] < 0 ? -1.0 : 1.0) * Mat3(1)[axis];
+  const double drawn = slope.rounded[end] || goes_on(slope, end, along, world) ? 1 : 1.0 / 16;
+  return {corner, corner + drawn * glm::length(side) * along, corner + side};
+}
+
+// Where a slope and a neighbour meet whose angle is dimensioned; nothing if positions are.
+std::optional<std::size_t> corner_of_angle(const BevelFeature& slope, const Planning& plan) {
+  if (has_angle(slope, plan.subject))
+    return slope.across[0] >= 0 && (slope.across[1] < 0 || is_outside(slope, 0, plan.subject)) ? 0 : 1;
+  const auto angled = angled_end(slope, plan.subject, plan.table, plan.notation);
+  if (!angled) return std::nullopt;
+  return slope.across[1 - angled->end] >= 0 ? 1 - angled->end : angled->end;
+}
+
+// Whether the number that is written for a length is its true size, to within `slack`.
+bool is_written_exactly(double length, double slack, const Notation& notation) {
+  const double unit = notation.unit == Unit::mm ? 1 : scene::millimetres(notation.unit);
+  const double step = unit * std::pow(10.0, -notation.decimals);
+  return std::abs(length - std::nearbyint(length / step) * step) <= slack;
+}
+
+// Whether an angle is a multiple of half a degree: what nobody would have drawn by coordinates.
+bool is_plain_angle(const Vec3& side, int along, double slack, const Notation& notation) {
+  const double angle = portable_atan2(std::abs(side[(along + 1) % 3]), std::abs(side[(along + 2) % 3])) * degrees;
+  const double plain = std::nearbyint(2 * angle) / 2;
+  return std::abs(angle - plain) <= slack / glm::length(side) * degrees &&
+         angle_text(angle, notation) == angle_text(plain, notation);
+}
+
+// Whether a plane face perpendicular to an axis is at a place along it.
+bool has_plane_at(int axis, double at, const DimensionSubject& subject, const FeatureTable& table, double slack) {
+  const auto is_there = [&](double other) { return std::abs(other - at) <= slack; };
+  const auto number = static_cast<std::size_t>(axis);
+  if (is_there(subject.extents[number].from)) return table.flat_ends[number][0];
+  if (is_there(subject.extents[number].to)) return table.flat_ends[number][1];
+  return std::any_of(subject.features.levels.begin(), subject.features.levels.end(),
+                     [&](const features::LevelFeature& level) { return level.axis == axis && is_there(level.at); });
 }
 
 // With those at the flats of a hexagon that lean against the axes of the world.
@@ -87,6 +136,38 @@ bool has_angle(const BevelFeature& slope, const DimensionSubject& subject) {
   return is_outside(slope, 0, subject) || is_outside(slope, 1, subject);
 }
 
+std::optional<AngledEnd> angled_end(const BevelFeature& slope, const DimensionSubject& subject,
+                                    const FeatureTable& table, const Notation& notation) {
+  const double slack = features::same_point * glm::length(subject.world.box.size());
+  if (slope.is_chamfer || has_angle(slope, subject) ||
+      !is_plain_angle(slope.ends[1] - slope.ends[0], slope.along, slack, notation))
+    return std::nullopt;
+  for (const std::size_t end : {0U, 1U}) {
+    if (slope.across[end] < 0) continue;
+    const int axis = 3 - slope.along - slope.across[end];
+    const features::Extent& extent = subject.extents[static_cast<std::size_t>(axis)];
+    const double from = slope.ends[end][axis] - extent.from, to = extent.to - slope.ends[end][axis];
+    const auto is_exact = [&](double length) { return is_written_exactly(length, slack, notation); };
+    const bool ends_models = std::min(std::abs(from), std::abs(to)) <= slack;
+    if (ends_models ? is_exact(extent.size()) : is_exact(from) || is_exact(to)) continue;
+    if (!has_plane_at(axis, slope.ends[end][axis], subject, table, slack)) return AngledEnd{end, axis};
+  }
+  return std::nullopt;
+}
+
+bool is_over_slope(const Planning& plan, int axis) {
+  const features::Extent& extent = plan.extent(axis);
+  const double slack = features::same_size * extent.size();
+  const std::vector<BevelFeature>& bevels = plan.subject.features.bevels;
+  return std::any_of(bevels.begin(), bevels.end(), [&](const BevelFeature& slope) {
+    const auto angled = angled_end(slope, plan.subject, plan.table, plan.notation);
+    if (!angled || angled->axis != axis || plan.views.along(Mat3(1)[slope.along]) == nullptr) return false;
+    const double at = slope.ends[angled->end][axis];
+    return slope.area >= min_area(plan.box) &&
+           (std::abs(at - extent.from) <= slack || std::abs(at - extent.to) <= slack);
+  });
+}
+
 bool is_angle_of(const AnchoredDimension& dimension, const BevelFeature& slope) {
   if (dimension.type != DimensionType::angular) return false;
   check(dimension.points.size() == 3, "an angle has a corner and two legs");
@@ -116,15 +197,18 @@ Planned slope_dimensions(const Planning& plan) {
   for (std::size_t i = 0; i < std::min(slopes.size(), max_of_a_kind); ++i) {
     const NamedProjection* view = plan.views.along(Mat3(1)[slopes[i].along]);
     if (view == nullptr || slopes[i].area < min_area(plan.box)) continue;
-    if (has_angle(slopes[i], plan.subject)) {
+    if (const auto corner = corner_of_angle(slopes[i], plan)) {
       planned.dimensions.push_back(plan.dimension(DimensionType::angular, *view, "<>"));
-      for (const Vec3& anchor : anchors_of_angle(slopes[i], plan.subject))
+      for (const Vec3& anchor : anchors_of_angle(slopes[i], *corner, plan.subject.world))
         planned.dimensions.back().anchors.emplace_back(anchor);
-      continue;
+      if (has_angle(slopes[i], plan.subject)) continue;
     }
+    const auto angled = angled_end(slopes[i], plan.subject, plan.table, plan.notation);
     for (int axis = 0; axis < 3; ++axis)
-      for (const Vec3& end : slopes[i].ends)
-        if (axis != slopes[i].along) planned.places.emplace_back(Coordinate{view, axis, end[axis], end, -1, end});
+      for (const std::size_t end : {0U, 1U})
+        if (const Vec3& at = slopes[i].ends[end];
+            axis != slopes[i].along && !(angled && angled->end == end && angled->axis == axis))
+          planned.places.emplace_back(Coordinate{view, axis, at[axis], at, -1, at});
   }
   return planned;
 }

@@ -2,10 +2,13 @@
 // Dimensions of plane faces that are perpendicular to no axis of the world.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "sizes/anchors.hpp"
 #include "sizes/coordinates.hpp"
+#include "sizes/feature_table.hpp"
 #include "sizes/planning.hpp"
 #include "sizes/view_choice.hpp"
 
@@ -15,14 +18,27 @@ namespace epura::sheet {
 /// nothing to measure to.
 bool has_angle(const features::BevelFeature& slope, const DimensionSubject& subject);
 
+/// The end of a slope whose place along an axis follows from the angle of the slope and its other end.
+struct AngledEnd {
+  std::size_t end;
+  int axis;
+};
+/// The one whose place cannot be written exactly, where the angle is a multiple of half a degree, and no other face
+/// gives the place; nothing if there is none, or if `has_angle`.
+std::optional<AngledEnd> angled_end(const features::BevelFeature& slope, const DimensionSubject& subject,
+                                    const FeatureTable& table, const Notation& notation);
+
+/// Whether the angle of a slope gives the size of the models along an axis.
+bool is_over_slope(const Planning& plan, int axis);
+
 /// Whether a dimension is the angle between a slope and an axis of the world.
 bool is_angle_of(const AnchoredDimension& dimension, const features::BevelFeature& slope);
 
 /// Whether the angle of one slope can stand for that of the other, as in "2× 60°".
 bool are_equal(const features::BevelFeature& a, const features::BevelFeature& b);
 
-/// Chamfered corners have a note; other slopes have an angle or the positions of their ends, those of the largest ones
-/// first.
+/// Chamfered corners have a note; other slopes have an angle, the positions of their ends, or of one and an angle,
+/// those of the largest ones first.
 Planned slope_dimensions(const Planning& plan);
 
 /// The area below which a face is no step or slope to be dimensioned, for models in a box.

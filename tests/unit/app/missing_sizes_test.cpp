@@ -55,6 +55,7 @@ TEST_F(MissingSizes, OfPlanesBetweenSlopes) { expect_known(planes_between_slopes
 TEST_F(MissingSizes, OfSlopesToRoundedCorners) { expect_known(slopes_to_rounded_corners()); }
 TEST_F(MissingSizes, OfRoundedTrapezia) { expect_known(rounded_trapezia()); }
 TEST_F(MissingSizes, OfSlopesOf45Degrees) { expect_known(slopes_of_45_degrees()); }
+TEST_F(MissingSizes, OfSlopesOfPlainAngles) { expect_known(slopes_of_plain_angles()); }
 TEST_F(MissingSizes, OfBossesOnAWeb) { expect_known(bosses_on_a_web()); }
 TEST_F(MissingSizes, OfRoundEnds) { expect_known(round_ends()); }
 TEST_F(MissingSizes, OfTongues) { expect_known(tongues()); }
