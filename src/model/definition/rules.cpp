@@ -326,32 +326,39 @@ void state_equal(const Part&, const Directions&, const Unknowns& unknowns, const
 constexpr const char *iso_sizes = "ISO 129-1", *iso_lines = "ISO 128-2";
 constexpr const char* asme = "ASME Y14.5";
 
-constexpr std::array<Rule, 12> rules{{
+constexpr std::array<Rule, rule_count> rules{{
     {"parallel", "lines that are drawn parallel", {nullptr, iso_sizes, asme}, state_parallel},
     {"perpendicular", "lines that are drawn at right angles", {nullptr, iso_sizes, asme}, state_perpendicular},
-    {"in line", "faces and centre lines that are drawn as one line", {nullptr, iso_sizes, asme}, state_in_line},
+    {"in-line", "faces and centre lines that are drawn as one line", {nullptr, iso_sizes, asme}, state_in_line},
     {"coaxial", "a common centre line", {nullptr, iso_lines, asme}, state_coaxial},
     {"crossing", "centre lines that cross", {nullptr, iso_lines, asme}, state_crossing},
     {"same", "a round outline that something interrupts", {nullptr, iso_sizes, asme}, state_same},
     {"drilled", "the point of a blind hole", {nullptr, iso_sizes, asme}, state_drilled},
     {"tangent", "an outline that turns without a corner", {nullptr, iso_sizes, asme}, state_tangent},
     {"symmetric", "a line of symmetry", {nullptr, iso_lines, asme}, state_symmetric},
-    {"on a circle", "a pitch circle", {nullptr, iso_sizes, asme}, state_on_circle},
+    {"on-circle", "a pitch circle", {nullptr, iso_sizes, asme}, state_on_circle},
     {"regular", "a hexagon with equal sides", {nullptr, iso_sizes, asme}, state_regular},
     {"equal", "a number of equal features, as 4×", {nullptr, iso_sizes, asme}, state_equal},
 }};
 
 }  // namespace
 
-std::span<const Rule> all_rules() { return rules; }
+std::span<const Rule, rule_count> all_rules() { return rules; }
+
+RuleSet rules_of(Standard standard) {
+  RuleSet applied;
+  for (std::size_t i = 0; i < rule_count; ++i)
+    applied[i] = rules[i].clause[static_cast<std::size_t>(standard)] != nullptr;
+  return applied;
+}
 
 std::vector<Statement> state_rules(const Part& part, const Directions& directions, const Unknowns& unknowns,
-                                   const Marks& marks, Standard standard) {
+                                   const Marks& marks, const RuleSet& applied) {
   std::vector<Statement> statements;
-  for (const Rule& rule : rules) {
-    if (rule.clause[static_cast<std::size_t>(standard)] == nullptr) continue;
-    statements.push_back({rule.name, {}});
-    rule.state(part, directions, unknowns, marks, statements.back());
+  for (std::size_t i = 0; i < rule_count; ++i) {
+    if (!applied[i]) continue;
+    statements.push_back({rules[i].name, {}});
+    rules[i].state(part, directions, unknowns, marks, statements.back());
   }
   return statements;
 }

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <bitset>
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -41,6 +43,7 @@ struct Marks {
 
 /// Whose rules count; `none` for a reader who applies none.
 enum class Standard : unsigned char { none, iso, asme };
+inline constexpr std::array standard_names{"none", "iso", "asme"};
 
 struct Rule {
   const char* name;
@@ -49,10 +52,15 @@ struct Rule {
   void (*state)(const Part&, const Directions&, const Unknowns&, const Marks&, Statement&);
 };
 
-std::span<const Rule> all_rules();
+inline constexpr std::size_t rule_count = 12;
+std::span<const Rule, rule_count> all_rules();
 
-/// What the rules of a standard say of a part, one statement for each.
+/// Rules that readers apply, in the order of all_rules().
+using RuleSet = std::bitset<rule_count>;
+RuleSet rules_of(Standard standard);
+
+/// What some rules say of a part, one statement for each.
 std::vector<Statement> state_rules(const Part& part, const Directions& directions, const Unknowns& unknowns,
-                                   const Marks& marks, Standard standard);
+                                   const Marks& marks, const RuleSet& applied);
 
 }  // namespace epura::definition

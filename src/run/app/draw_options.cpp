@@ -337,6 +337,15 @@ void keep_words(scene::Options<Draw>& options) {
   }
 }
 
+scene::Option<Draw> rules_option() {
+  return scene::option<Draw>({.flag = "--rules",
+                              .help = "what readers of the sheets take for granted without a number: the rules of a "
+                                      "standard, or some rules",
+                              .usual = "iso",
+                              .nature = scene::Nature::run},
+                             run(&pipeline::RunOptions::rules), pipeline::applied_rules());
+}
+
 scene::Options<Draw> title_options() {
   scene::Options<Draw> options;
   for (const scene::Option<scene::TitleBlockFields>& field : scene::title_block_options())
@@ -418,6 +427,7 @@ scene::Options<DrawOptions> explain_options() {
 
 scene::Options<DrawOptions> lint_options() {
   scene::Options<Draw> all = draw_options();
+  all.push_back(rules_option());
   all.push_back(scene::option<Draw>(
       {.flag = "--json", .help = "findings as JSON; - for standard output", .nature = scene::Nature::run},
       &Draw::found_json, file_name("FILE")));
@@ -434,6 +444,7 @@ scene::Options<DrawOptions> lint_options() {
 
 scene::Options<DrawOptions> define_options() {
   scene::Options<Draw> all = draw_options();
+  all.push_back(rules_option());
   all.push_back(scene::option<Draw>(
       {.flag = "--json", .help = "the result as JSON; - for standard output", .nature = scene::Nature::run},
       &Draw::found_json, file_name("FILE")));

@@ -97,15 +97,16 @@ void add_uncovered_sizes(report::Report& report, const world::World& world, cons
 }
 
 HatchedFaces add_free_faces(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
-                            std::span<const sheet::DimensionsInView> views, std::span<const AcceptedFaces> accepted) {
+                            std::span<const sheet::DimensionsInView> views, const Granted& granted) {
   const auto extents = features::true_extents(world);
-  sheet::FreeFaces found = sheet::find_free_faces(views, world, extents, notation_of(world, scene.sheets.front()));
+  sheet::FreeFaces found =
+      sheet::find_free_faces(views, world, extents, notation_of(world, scene.sheets.front()), granted.rules);
   std::set<int> faulty, accepted_free;
   for (const sheet::FreeFace& one : found.free) {
-    const auto by = std::find_if(accepted.begin(), accepted.end(), [&](const AcceptedFaces& known) {
+    const auto by = std::find_if(granted.accepted.begin(), granted.accepted.end(), [&](const AcceptedFaces& known) {
       return known.model == 0 && std::find(known.faces.begin(), known.faces.end(), one.face) != known.faces.end();
     });
-    const std::string reason = by == accepted.end() ? "" : by->reason;
+    const std::string reason = by == granted.accepted.end() ? "" : by->reason;
     report.findings.push_back({report::FindingKind::undimensioned, "", one.sentence, one.number, reason});
     (reason.empty() ? faulty : accepted_free).insert(one.faces.begin(), one.faces.end());
   }
@@ -114,6 +115,7 @@ HatchedFaces add_free_faces(report::Report& report, const world::World& world, c
   for (const std::string& what : found.undecided) report.findings.push_back({report::FindingKind::undecided, "", what});
   for (const std::string& what : found.contradictory)
     report.findings.push_back({report::FindingKind::contradictory, "", what});
+  for (const std::string& what : found.repeated) report.findings.push_back({report::FindingKind::follows, "", what});
   for (const std::string& what : found.untrue) report.findings.push_back({report::FindingKind::untrue, "", what});
   if (found.count.all > 0) report.sizes.push_back(std::move(found.count));
   return {{faulty.begin(), faulty.end()}, std::move(found.numbers)};

@@ -8,6 +8,7 @@
 
 #include "composition/annotations.hpp"
 #include "composition/free_face_layer.hpp"
+#include "definition/rules.hpp"
 #include "report/report.hpp"
 #include "sizes/coverage.hpp"
 #include "view/projected_scene.hpp"
@@ -36,10 +37,16 @@ struct AcceptedFaces {
   std::string reason;
 };
 
-/// Adds the faces that the dimensions leave free to a report, and how many they hold. What is accepted of the face by
-/// which it is named, is no fault. Returns the others.
+/// What readers of the sheets know beside their numbers.
+struct Granted {
+  std::span<const AcceptedFaces> accepted;
+  definition::RuleSet rules;
+};
+
+/// Adds the faces that the dimensions leave free to a report, how many they hold, and which dimensions follow from
+/// others. What is accepted of the face by which it is named, is no fault. Returns the others.
 HatchedFaces add_free_faces(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
-                            std::span<const sheet::DimensionsInView> views, std::span<const AcceptedFaces> accepted);
+                            std::span<const sheet::DimensionsInView> views, const Granted& granted);
 
 /// Adds the requirements that the sheets lack to the findings.
 void add_missing_requirements(report::Report& report);

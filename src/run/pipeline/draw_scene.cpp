@@ -550,7 +550,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   if (options.lint) lint(finished, worlds);
   if (options.rebuild)
     gathered.rebuilt = sheet::rebuild_part(gathered.dimensioned, worlds.main(), features::true_extents(worlds.main()),
-                                           notation_of(worlds.main(), scene.sheets.front()));
+                                           notation_of(worlds.main(), scene.sheets.front()), options.rules);
   return finished;
 }
 
@@ -559,7 +559,8 @@ void Run::lint(std::span<FinishedSheet> sheets, const ShownWorlds& worlds) {
   if (!options.allow_missing) add_missing_requirements(report);
   add_uncovered_sizes(report, worlds.main(), scene, gathered.dimensioned, progress);
   const std::vector<AcceptedFaces> accepted = accepted_faces(scene, worlds.main());
-  const HatchedFaces free = add_free_faces(report, worlds.main(), scene, gathered.dimensioned, accepted);
+  const HatchedFaces free =
+      add_free_faces(report, worlds.main(), scene, gathered.dimensioned, {accepted, options.rules});
   add_all(report.findings, undefined_free_forms(worlds.main(), scene, refers_to_models));
   for (const AcceptedFaces& one : accepted)
     if (std::none_of(report.findings.begin(), report.findings.end(),

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "definition/rules.hpp"
 #include "explain/edge_question.hpp"
 #include "projection/catalogue.hpp"
 #include "scene/choices.hpp"
@@ -64,11 +65,12 @@ struct RunOptions {
   std::optional<double> time_limit;  ///< seconds
   bool verify = false;
   int verify_samples = 2000;
-  Shortcuts plan;              ///< shortcuts in use
-  bool explain = false;        ///< print the steps
-  bool lint = false;           ///< report faults of the dimensions
-  bool rebuild = false;        ///< find the faces of the part again from the numbers on the sheets
-  bool hatch_free = false;     ///< with these, hatch the faces that the dimensions leave free
+  Shortcuts plan;        ///< shortcuts in use
+  bool explain = false;  ///< print the steps
+  bool lint = false;     ///< report faults of the dimensions
+  bool rebuild = false;  ///< find the faces of the part again from the numbers on the sheets
+  definition::RuleSet rules = definition::rules_of(definition::Standard::iso);  ///< of both, without numbers
+  bool hatch_free = false;     ///< with faults, hatch the faces that the dimensions leave free
   bool allow_missing = false;  ///< sheets may lack what model files require
   Balloons balloons = Balloons::none;
   bool error_note = false;      ///< sheets state above the title block how far lines may be from those of the part

@@ -85,7 +85,8 @@ enum class FindingKind {
   crossing,
   small_text,
   off_sheet,
-  repeated
+  repeated,
+  follows
 };
 
 /// A row of the table of kinds.
@@ -96,7 +97,7 @@ struct FindingRow {
 };
 
 /// By FindingKind.
-inline constexpr std::array<FindingRow, 9> finding_rows{{
+inline constexpr std::array<FindingRow, 10> finding_rows{{
     {"not drawn", Axis::requirements},
     {"not dimensioned", Axis::completeness},
     {"cannot tell", Axis::completeness, false},
@@ -106,6 +107,7 @@ inline constexpr std::array<FindingRow, 9> finding_rows{{
     {"too small", Axis::legibility},
     {"off the sheet", Axis::legibility},
     {"dimensioned twice", Axis::restraint},
+    {"follows from others", Axis::restraint, false},
 }};
 
 /// What is found of the dimensions of a drawing.

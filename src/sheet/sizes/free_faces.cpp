@@ -12,6 +12,7 @@
 #include "definition/words.hpp"
 #include "features/tolerances.hpp"
 #include "sizes/face_statements.hpp"
+#include "sizes/stated_values.hpp"
 #include "surfaces/numbers.hpp"
 
 namespace epura::sheet {
@@ -41,8 +42,39 @@ std::string listed(const std::vector<std::string>& names) {
   return text;
 }
 
+// Of dimensions, in words: "15, 25 in view 'top' and 40". The view is told where it is not that of the first one.
+class DimensionNames {
+ public:
+  DimensionNames(std::span<const DimensionsInView> views, const FaceStatements& said, const Notation& notation)
+      : views_(views), said_(said), notation_(notation) {}
+
+  [[nodiscard]] std::string of_first(std::size_t statement) const {
+    return text_of(statement) + in_view(said_.of[statement][0]);
+  }
+  [[nodiscard]] std::string of_others(std::size_t first, const std::vector<std::size_t>& statements) const {
+    std::string names;
+    for (std::size_t i = 0; i < statements.size(); ++i) {
+      const std::size_t view = said_.of[statements[i]][0];
+      names += (i == 0 ? "" : i + 1 < statements.size() ? ", " : " and ") + text_of(statements[i]);
+      if (view != said_.of[first][0]) names += in_view(view);
+    }
+    return names;
+  }
+
+ private:
+  [[nodiscard]] std::string text_of(std::size_t statement) const {
+    const auto [view, number] = said_.of[statement];
+    return sheet::text_of(views_[view].dimensions[number], views_[view], notation_);
+  }
+  [[nodiscard]] std::string in_view(std::size_t view) const { return " in view '" + views_[view].view + "'"; }
+
+  std::span<const DimensionsInView> views_;
+  const FaceStatements& said_;
+  const Notation& notation_;
+};
+
 // Of dimensions all of whose readings are certain, and follow from others; with these, each once.
-std::vector<std::string> repeated_in(const Account& account, const FaceStatements& said) {
+std::vector<std::string> repeated_in(const Account& account, const FaceStatements& said, const DimensionNames& names) {
   check(account.follows.size() == said.of.size(), "each statement follows from others or not");
   std::vector<std::string> repeated;
   for (std::size_t first = 0, last = 0; first < said.of.size(); first = last) {
@@ -50,20 +82,24 @@ std::vector<std::string> repeated_in(const Account& account, const FaceStatement
     bool follows = true;
     for (std::size_t i = first; i < last; ++i)
       follows = follows && account.follows[i] != 0 && said.statements[i].is_certain;
-    std::vector<std::string> from;
+    std::vector<std::size_t> from;  // one statement of each dimension
     for (const std::vector<int>& list : account.repeated) {
       const auto number = static_cast<std::size_t>(list.front());
       if (!follows || number < first || number >= last) continue;
       for (const int other : list) {
-        const Statement& one = said.statements[static_cast<std::size_t>(other)];
-        const bool is_own = static_cast<std::size_t>(other) >= first && static_cast<std::size_t>(other) < last;
-        follows = follows && one.is_certain;
-        if (!is_own && std::find(from.begin(), from.end(), one.name) == from.end()) from.push_back(one.name);
+        const auto one = static_cast<std::size_t>(other);
+        // What a text says of other features, too, is a reading of it.
+        const bool is_own_size = one == 0 || said.of[one - 1] != said.of[one];
+        follows = follows && said.statements[one].is_certain && is_own_size;
+        const bool is_known =
+            std::any_of(from.begin(), from.end(), [&](std::size_t known) { return said.of[known] == said.of[one]; });
+        if (said.of[one] != said.of[first] && !is_known) from.push_back(one);
       }
     }
-    if (follows)
-      repeated.push_back(said.statements[first].name + " follows from " +
-                         (from.empty() ? "what the views show" : listed(from)));
+    if (!follows) continue;
+    repeated.push_back(names.of_first(first) + " follows from " +
+                       (from.empty() ? "what the views show; put it in brackets or remove it"
+                                     : names.of_others(first, from) + "; put it in brackets or remove one of them"));
   }
   return repeated;
 }
@@ -78,7 +114,8 @@ std::vector<int> numbers_of_faces(const world::World& world) {
 }  // namespace
 
 FreeFaces find_free_faces(std::span<const DimensionsInView> views, const world::World& world,
-                          const std::array<features::Extent, 3>& extents, const Notation& notation) {
+                          const std::array<features::Extent, 3>& extents, const Notation& notation,
+                          const definition::RuleSet& rules) {
   FreeFaces found;
   const std::optional<DrawnPart> on_sheets = part_on_sheets(views, world, extents);
   if (!on_sheets) return found;
@@ -90,9 +127,9 @@ FreeFaces find_free_faces(std::span<const DimensionsInView> views, const world::
   }
   const definition::Directions directions = definition::find_directions(drawn.part.faces);
   const definition::Unknowns unknowns(drawn.part, directions);
-  const auto rules = definition::state_rules(drawn.part, directions, unknowns, drawn.marks, definition::Standard::iso);
+  const auto given = definition::state_rules(drawn.part, directions, unknowns, drawn.marks, rules);
   const FaceStatements said = state_dimensions(views, drawn, directions, unknowns, notation);
-  const Account account = definition::take_account(drawn.part, unknowns, rules, said.statements);
+  const Account account = definition::take_account(drawn.part, unknowns, given, said.statements);
   const auto of_model = account.states.begin() + static_cast<std::ptrdiff_t>(drawn.faces);
   const auto uncertain = std::count(account.states.begin(), of_model, FaceState::uncertain);
   const auto free = std::count(account.states.begin(), of_model, FaceState::free);
@@ -113,7 +150,7 @@ FreeFaces find_free_faces(std::span<const DimensionsInView> views, const world::
   if (uncertain > 0 || !account.is_certain)
     found.undecided.push_back("whether the texts of dimensions hold " + of_faces(uncertain));
   found.untrue = said.untrue;
-  found.repeated = repeated_in(account, said);
+  found.repeated = repeated_in(account, said, {views, said, notation});
   for (const std::vector<int>& list : account.contradictory) {
     std::vector<std::string> names;
     for (const int number : list) names.push_back(said.statements[static_cast<std::size_t>(number)].name);

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "definition/rules.hpp"
 #include "features/true_extents.hpp"
 #include "report/report.hpp"
 #include "sheet/notation.hpp"
@@ -32,12 +33,13 @@ struct FreeFaces {
   report::SizeCount count{"faces held by dimensions", 0, 0};  ///< of all kinds; none of free forms
 };
 
-/// By the rank of what the dimensions and the rules of ISO 129-1 say of the faces, without regard to features. Faces of
-/// which only a doubtful reading of a text holds one are not counted as held; and where nobody can tell what a
+/// By the rank of what the dimensions and rules that readers apply say of the faces, without regard to features. Faces
+/// of which only a doubtful reading of a text holds one are not counted as held; and where nobody can tell what a
 /// dimension measures, `undecided` says so instead of those that would be free without it. Each sentence ends with a
 /// view in which what is missing can be given. Nothing for an assembly.
 FreeFaces find_free_faces(std::span<const DimensionsInView> views, const world::World& world,
-                          const std::array<features::Extent, 3>& extents, const Notation& notation);
+                          const std::array<features::Extent, 3>& extents, const Notation& notation,
+                          const definition::RuleSet& rules);
 
 /// The faces that each dimension measures, by view and dimension, as their numbers in scenes in ascending order: by the
 /// first of its readings. None where nobody can tell, and where find_free_faces says nothing.

@@ -107,7 +107,8 @@ double largest_of(const std::vector<double>& values) {
 }  // namespace
 
 std::optional<RebuiltPart> rebuild_part(std::span<const DimensionsInView> views, const world::World& world,
-                                        const std::array<features::Extent, 3>& extents, const Notation& notation) {
+                                        const std::array<features::Extent, 3>& extents, const Notation& notation,
+                                        const definition::RuleSet& rules) {
   const std::optional<DrawnPart> drawn = part_on_sheets(views, world, extents);
   if (!drawn) return std::nullopt;
   if (drawn->faces > most_faces)
@@ -119,7 +120,7 @@ std::optional<RebuiltPart> rebuild_part(std::span<const DimensionsInView> views,
   const Unknowns unknowns(drawn->part, directions);
   RebuiltPart found;
   const auto rules_of = [&](const Unknowns& changed) {
-    return definition::state_rules(drawn->part, directions, changed, drawn->marks, definition::Standard::iso);
+    return definition::state_rules(drawn->part, directions, changed, drawn->marks, rules);
   };
   FaceStatements said = state_dimensions(views, *drawn, directions, unknowns, notation);
   const definition::Account account =

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "definition/rules.hpp"
 #include "features/true_extents.hpp"
 #include "sheet/notation.hpp"
 #include "sizes/coverage.hpp"
@@ -36,9 +37,10 @@ struct RebuiltPart {
 };
 
 /// Faces are perturbed twice, by up to 1 % of the part and a tenth of its smallest radius, and found again by what
-/// dimensions and the rules of ISO 129-1 say where the surfaces are then; texts count as they are written. Nothing for
-/// assemblies, and without recognised faces. Throws Error{input} for parts of too many faces.
+/// dimensions and rules that readers apply say where the surfaces are then; texts count as they are written. Nothing
+/// for assemblies, and without recognised faces. Throws Error{input} for parts of too many faces.
 std::optional<RebuiltPart> rebuild_part(std::span<const DimensionsInView> views, const world::World& world,
-                                        const std::array<features::Extent, 3>& extents, const Notation& notation);
+                                        const std::array<features::Extent, 3>& extents, const Notation& notation,
+                                        const definition::RuleSet& rules);
 
 }  // namespace epura::sheet

@@ -69,4 +69,19 @@ std::optional<StatedSize> stated_size(const AnchoredDimension& dimension, const 
   return StatedSize{number->value, *measured, std::pow(10.0, -number->decimals) / 2, text};
 }
 
+std::string text_of(const AnchoredDimension& dimension, const DimensionsInView& view, const Notation& notation) {
+  constexpr std::string_view value = "<>";
+  std::string text = dimension.text.empty() ? std::string(value) : dimension.text;
+  const std::size_t at = text.find(value);
+  if (at == std::string::npos) return text;
+  if (dimension.arrangement) return "a row of " + std::to_string(dimension.points.size() - 1) + " lengths";
+  const std::optional<double> measured = measured_size(dimension, view);
+  if (!measured) return dimension.where;
+  const bool is_angle = dimension.type == DimensionType::angular;
+  const char* sign = dimension.type == DimensionType::radius     ? "R"
+                     : dimension.type == DimensionType::diameter ? "⌀"
+                                                                 : "";
+  return text.replace(at, value.size(), sign + length_text(*measured, notation) + (is_angle ? "°" : ""));
+}
+
 }  // namespace epura::sheet

@@ -20,4 +20,7 @@ struct StatedSize {
 /// Nothing for texts that stand for the measured value, and for those that say more, as notes and chamfers do.
 std::optional<StatedSize> stated_size(const AnchoredDimension& dimension, const DimensionsInView& view);
 
+/// What it says on the sheet, or how many lengths it gives.
+std::string text_of(const AnchoredDimension& dimension, const DimensionsInView& view, const Notation& notation);
+
 }  // namespace epura::sheet

@@ -25,12 +25,15 @@ class LintAxes : public testing::Test {
                  "v 0 0 0\nv 60 0 0\nv 60 0 4\nv 50 0 10\nv 0 0 10\nv 0 40 0\nv 60 40 0\nv 60 40 4\nv 50 40 10\n"
                  "v 0 40 10\nf 1 2 3 4 5\nf 10 9 8 7 6\nf 1 6 7 2\nf 2 7 8 3\nf 3 8 9 4\nf 4 9 10 5\nf 5 10 6 1\n");
   }
-  Outcome lint(const std::string& more) {
+  Outcome lint(const std::string& more, const std::vector<std::string>& options = {}) {
     folder_.file("a.toml",
                  "[[model]]\nfile = 'block.obj'\n[[view]]\nprojection = 'front'\n[[view]]\nprojection = 'top'\n"
                  "[[sheet]]\nsize = 'A4'\nscale = '1:1'\n[[dimension]]\ntype = 'overall'\n" +
                      more);
-    return epura({"lint", "a.toml", "--json", "a.json", "--picture", "a.svg", "--svg-text", "text"}, folder_ / "");
+    std::vector<std::string> words{"lint",  "a.toml",     "--json", "a.json", "--picture",
+                                   "a.svg", "--svg-text", "text",   "--all"};
+    words.insert(words.end(), options.begin(), options.end());
+    return epura(words, folder_ / "");
   }
   [[nodiscard]] Json found() const { return JsonReader(read_file(folder_ / "a.json")).read(); }
   /// Findings of a kind about faces, as "7: can turn about y".
@@ -101,6 +104,32 @@ TEST_F(LintAxes, TellInWhichViewAFreeFaceCanBeHeld) {
   const std::vector<std::string> free = of_faces("not dimensioned");
   ASSERT_EQ(free.size(), 2U) << "the slope is free to move and to turn";
   for (const std::string& one : free) EXPECT_TRUE(one.ends_with(" in view 'front'")) << one;
+}
+
+// The block has 7 planes of three unknowns each; seven numbers are given, and six say how it lies in the world.
+TEST_F(LintAxes, DependOnTheRulesThatReadersApply) {
+  const Outcome run = lint(ends_of_slope(), {"--rules", "none"});
+  EXPECT_EQ(run.code, 1) << run.err;
+  EXPECT_EQ(of_faces("not dimensioned").size(), 7U * 3 - 6 - 5) << run.out;
+  EXPECT_EQ(lint(ends_of_slope(), {"--rules", "asme"}).code, 0);
+  EXPECT_EQ(lint(ends_of_slope(), {"--rules", "parallel,perpendicular,in-line"}).code, 0);
+  EXPECT_EQ(lint(ends_of_slope(), {"--rules", "perpendicular"}).code, 1);
+  expect_refused(lint(ends_of_slope(), {"--rules", "parralel"}), "parallel");
+}
+
+TEST_F(LintAxes, OfRestraintHaveWhatFollowsFromWhat) {
+  const std::string rest =
+      "[[dimension]]\ntype = 'linear'\nview = 'front'\ndirection = 'horizontal'\nfrom = {point = [50, 0, 10]}\n"
+      "to = {point = [60, 0, 4]}\n";
+  const Outcome run = lint(ends_of_slope() + rest);
+  EXPECT_EQ(run.code, 1) << run.out << run.err;
+  EXPECT_EQ(found()["axes"]["restraint"]["faults"].number(), 1) << "10 along x is there twice: " << run.out;
+  EXPECT_EQ(found()["axes"]["restraint"]["undecided"].number(), 1) << run.out;
+  EXPECT_TRUE(contains(run.out, "follows from others: 10 in view 'front' follows from 60 and 50; put")) << run.out;
+  const Schema schema(read_file(root() / "src/run/app/lint.schema.json"));
+  EXPECT_EQ(schema.fault_of(found()), "");
+  const Outcome in_brackets = lint(ends_of_slope() + rest + "text = '(<>)'\n");
+  EXPECT_EQ(in_brackets.code, 0) << in_brackets.out;
 }
 
 TEST_F(LintAxes, OfFidelityHasTextsThatAreUntrue) {

@@ -71,7 +71,7 @@ TEST(Definition, A_box_has_three_sizes) {
 }
 
 TEST(Definition, Without_rules_each_plane_of_a_box_has_three_unknowns) {
-  const MadeSheet sheet(box({60, 40, 10}), {}, Standard::none);
+  const MadeSheet sheet(box({60, 40, 10}), {}, rules_of(Standard::none));
   EXPECT_EQ(sheet.needed(), 6 * 3 - 6);
   EXPECT_TRUE(sheet.rules.empty());
 }
@@ -377,6 +377,20 @@ TEST(Definition, A_free_form_is_given_by_the_model) {
   sheet.distance(left, right, left).distance(front, back, front).distance(bottom, top, bottom);
   EXPECT_EQ(sheet.account().states[6], FaceState::by_model);
   EXPECT_TRUE(sheet.account().is_complete());
+}
+
+// Each is a row that some part needs: without it, the part has more sizes.
+TEST(Definition, Rules_are_switched_off_one_by_one) {
+  const Part part = box({60, 40, 10});
+  const auto sizes = [&part](const RuleSet& applied) { return MadeSheet(part, {}, applied).account().needed; };
+  RuleSet parallel_only;
+  for (std::size_t i = 0; i < rule_count; ++i)
+    if (std::string(all_rules()[i].name) == "parallel") parallel_only.set(i);
+  EXPECT_EQ(sizes(rules_of(Standard::iso)), 3);
+  EXPECT_EQ(sizes(rules_of(Standard::asme)), 3);
+  EXPECT_EQ(sizes(parallel_only), 6) << "three angles between its directions, too";
+  EXPECT_EQ(sizes(rules_of(Standard::iso) & ~parallel_only), 3 + 6) << "three of the faces turn about two axes";
+  EXPECT_EQ(sizes(rules_of(Standard::none)), 6 * 3 - 6);
 }
 
 TEST(Definition, Each_rule_tells_its_mark_and_its_source) {

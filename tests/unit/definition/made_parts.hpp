@@ -54,12 +54,12 @@ inline constexpr int left = 0, right = 1, front = 2, back = 3, bottom = 4, top =
 /// A part, and what a sheet says of it.
 class MadeSheet {
  public:
-  explicit MadeSheet(const Part& part, Marks marks_of_sheet = {}, Standard rules = Standard::iso)
+  explicit MadeSheet(const Part& part, Marks marks_of_sheet = {}, const RuleSet& applied = rules_of(Standard::iso))
       : directions(find_directions(part.faces)),
         part(with_common_directions(part, directions)),
         marks(std::move(marks_of_sheet)),
         unknowns(this->part, directions),
-        rules(state_rules(this->part, directions, unknowns, marks, rules)) {}
+        rules(state_rules(this->part, directions, unknowns, marks, applied)) {}
   MadeSheet(const MadeSheet&) = delete;
   MadeSheet& operator=(const MadeSheet&) = delete;
 

@@ -55,12 +55,12 @@ class DimensionedPart {
     }
   }
 
-  [[nodiscard]] sheet::FreeFaces free() const { return sheet::find_free_faces(views_, world_, extents_, {}); }
+  definition::RuleSet rules = definition::rules_of(definition::Standard::iso);
+
+  [[nodiscard]] sheet::FreeFaces free() const { return find_in(views_); }
 
   /// Without one of its dimensions, counted over all views.
-  [[nodiscard]] sheet::FreeFaces free_without(std::size_t number) const {
-    return sheet::find_free_faces(views_without(number), world_, extents_, {});
-  }
+  [[nodiscard]] sheet::FreeFaces free_without(std::size_t number) const { return find_in(views_without(number)); }
 
   /// With another text of one of them, and with a second one of the same if `doubled`.
   [[nodiscard]] sheet::FreeFaces with_text(std::size_t number, const std::string& text, bool doubled) const {
@@ -73,17 +73,21 @@ class DimensionedPart {
       }
       number -= view.dimensions.size();
     }
-    return sheet::find_free_faces(views, world_, extents_, {});
+    return find_in(views);
   }
 
   /// Found again from its dimensions; without one of them, counted over all views.
   [[nodiscard]] std::optional<sheet::RebuiltPart> rebuilt(std::optional<std::size_t> without = std::nullopt) const {
-    return sheet::rebuild_part(without ? views_without(*without) : views_, world_, extents_, {});
+    return sheet::rebuild_part(without ? views_without(*without) : views_, world_, extents_, {}, rules);
   }
 
   std::vector<std::string> texts;
 
  private:
+  [[nodiscard]] sheet::FreeFaces find_in(const std::vector<sheet::DimensionsInView>& views) const {
+    return sheet::find_free_faces(views, world_, extents_, {}, rules);
+  }
+
   [[nodiscard]] std::vector<sheet::DimensionsInView> views_without(std::size_t number) const {
     std::vector<sheet::DimensionsInView> views = views_;
     for (sheet::DimensionsInView& view : views) {
