@@ -33,46 +33,74 @@ class Relative {
  public:
   Relative(const Part& part, const Unknowns& unknowns) : part_(part), unknowns_(unknowns) {
     for (int i = 0; i < unknowns.count(); ++i) rigid_.push_back(unknowns.rigid(i));
+    largest_first_.resize(part.faces.size());
+    std::iota(largest_first_.begin(), largest_first_.end(), 0);
+    std::stable_sort(largest_first_.begin(), largest_first_.end(),
+                     [&](int a, int b) { return area_of(a) > area_of(b); });
   }
 
   // Relative to the face to which most of the area keeps still.
   [[nodiscard]] Motion motion(const Row& change) const {
-    std::vector<double> values(rigid_.size(), 0.0);
-    for (const Term& term : change) values[static_cast<std::size_t>(term.unknown)] = term.factor;
-    std::vector<double> best = values;
-    double least = moving_area(values);
-    for (const int face : moving(values)) {
-      const std::vector<double> other = held_at(face, values);
+    Changes changes{std::vector<double>(rigid_.size(), 0.0), 0};
+    std::vector<int> moving;
+    for (const Term& term : change) {
+      changes.values[static_cast<std::size_t>(term.unknown)] = term.factor;
+      changes.largest = std::max(changes.largest, std::abs(term.factor));
+      if (const int face = unknowns_[term.unknown].face; moving.empty() || moving.back() != face)
+        moving.push_back(face);
+    }
+    Rigid best{};
+    double least = 0;
+    for (const int face : moving) least += area_of(face);
+    for (const int face : moving) {
+      const Rigid whole = holding(face, changes.values);
       // A later one must be better by more than the last digits.
-      if (const double area = moving_area(other); area < least * (1 - same_size)) {
+      const double enough = least * (1 - same_size);
+      if (const double area = moving_area(changes, whole, enough); area < enough) {
         least = area;
-        best = other;
+        best = whole;
       }
     }
-    Motion found{moving(best), {}};
-    for (std::size_t i = 0; i < best.size(); ++i)
-      if (best[i] != 0) found.change.push_back({static_cast<int>(i), best[i]});
+    Motion found;
+    for (int face = 0; face < static_cast<int>(part_.faces.size()); ++face)
+      for (int i = unknowns_.first(face); i < unknowns_.first(face + 1); ++i)
+        if (const double value = value_beside(changes, best, i); value != 0) {
+          found.change.push_back({i, value});
+          if (found.faces.empty() || found.faces.back() != face) found.faces.push_back(face);
+        }
     return found;
   }
 
  private:
-  [[nodiscard]] std::vector<int> moving(const std::vector<double>& values) const {
-    std::vector<int> faces;
-    for (int face = 0; face < static_cast<int>(part_.faces.size()); ++face)
-      for (int i = unknowns_.first(face); i < unknowns_.first(face + 1); ++i)
-        if (values[static_cast<std::size_t>(i)] != 0 && (faces.empty() || faces.back() != face)) faces.push_back(face);
-    return faces;
+  struct Changes {
+    std::vector<double> values;
+    double largest;  // of their absolute values
+  };
+
+  [[nodiscard]] double area_of(int face) const { return part_.faces[static_cast<std::size_t>(face)].area; }
+
+  // What is left of an unknown's change when the whole part goes back.
+  [[nodiscard]] double value_beside(const Changes& changes, const Rigid& whole, int unknown) const {
+    const auto i = static_cast<std::size_t>(unknown);
+    const double value = changes.values[i] - dot(rigid_[i], whole);
+    return std::abs(value) <= moves * changes.largest ? 0 : value;
   }
 
-  // Faces that are alike in all but their number do not decide; each counts for something.
-  [[nodiscard]] double moving_area(const std::vector<double>& values) const {
+  // Of the faces that move beside the whole, or more than `enough`.
+  [[nodiscard]] double moving_area(const Changes& changes, const Rigid& whole, double enough) const {
     double area = 0;
-    for (const int face : moving(values)) area += part_.faces[static_cast<std::size_t>(face)].area;
+    for (const int face : largest_first_) {
+      bool moves_on = false;
+      for (int i = unknowns_.first(face); i < unknowns_.first(face + 1) && !moves_on; ++i)
+        moves_on = value_beside(changes, whole, i) != 0;
+      if (moves_on) area += area_of(face);
+      if (area > enough) break;
+    }
     return area;
   }
 
-  // With the least motion of the whole part that undoes what a face does.
-  [[nodiscard]] std::vector<double> held_at(int face, std::vector<double> values) const {
+  // The least motion of the whole part that does what a face does.
+  [[nodiscard]] Rigid holding(int face, const std::vector<double>& values) const {
     std::vector<Rigid> basis;
     Rigid whole{};
     for (int i = unknowns_.first(face); i < unknowns_.first(face + 1); ++i) {
@@ -85,18 +113,13 @@ class Relative {
       const double lacking = (values[static_cast<std::size_t>(i)] - dot(row, whole)) / length;
       for (std::size_t k = 0; k < 6; ++k) whole[k] += lacking * rest[k];
     }
-    double largest = 0;
-    for (const double value : values) largest = std::max(largest, std::abs(value));
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      values[i] -= dot(rigid_[i], whole);
-      if (std::abs(values[i]) <= moves * largest) values[i] = 0;
-    }
-    return values;
+    return whole;
   }
 
   const Part& part_;
   const Unknowns& unknowns_;
   std::vector<Rigid> rigid_;
+  std::vector<int> largest_first_;  // faces
 };
 
 // Rows in terms of vectors that they may combine.
@@ -139,25 +162,29 @@ Said said_by(std::span<const Statement> statements, bool with_doubtful) {
 }
 
 struct Free {
-  std::vector<Row> allowed;     // by the rules
-  std::vector<Row> dimensions;  // in terms of what these allow
+  std::vector<Row> dimensions;  // in terms of what rules allow
   Said said;
   std::vector<Motion> motions;
   bool is_certain;
 };
 
-Free find_free(const Part& part, const Unknowns& unknowns, std::span<const Statement> rules,
-               std::span<const Statement> dimensions, bool with_doubtful) {
+// Which changes rules allow.
+NullSpace allowed_by(const Part& part, const Unknowns& unknowns, std::span<const Statement> rules) {
   std::vector<Row> rows = base_rows(part, unknowns);
-  for (Row& row : said_by(rules, with_doubtful).rows) rows.push_back(std::move(row));
-  NullSpace by_rules = null_space(unknowns.count(), rows);
+  for (Row& row : said_by(rules, true).rows) rows.push_back(std::move(row));
+  return null_space(unknowns.count(), rows);
+}
+
+Free find_free(const Part& part, const Unknowns& unknowns, const NullSpace& by_rules,
+               std::span<const Statement> dimensions, bool with_doubtful) {
+  const std::vector<Row>& allowed = by_rules.vectors;
   Said said = said_by(dimensions, with_doubtful);
-  Free free{std::move(by_rules.vectors), {}, std::move(said), {}, by_rules.is_certain};
-  free.dimensions = in_terms_of(free.said.rows, free.allowed, unknowns.count());
-  const NullSpace left = null_space(static_cast<int>(free.allowed.size()), free.dimensions);
+  Free free{in_terms_of(said.rows, allowed, unknowns.count()), {}, {}, by_rules.is_certain};
+  free.said = std::move(said);
+  const NullSpace left = null_space(static_cast<int>(allowed.size()), free.dimensions);
   free.is_certain = free.is_certain && left.is_certain;
   const Relative relative(part, unknowns);
-  for (const Row& vector : left.vectors) free.motions.push_back(relative.motion(combined(vector, free.allowed)));
+  for (const Row& vector : left.vectors) free.motions.push_back(relative.motion(combined(vector, allowed)));
   return free;
 }
 
@@ -230,21 +257,20 @@ bool Account::is_complete() const {
 Account take_account(const Part& part, const Unknowns& unknowns, std::span<const Statement> rules,
                      std::span<const Statement> dimensions) {
   const auto is_doubtful = [](const Statement& statement) { return !statement.is_certain; };
-  const bool any_doubt = std::any_of(rules.begin(), rules.end(), is_doubtful) ||
-                         std::any_of(dimensions.begin(), dimensions.end(), is_doubtful);
-  Free surely = find_free(part, unknowns, rules, dimensions, true);
+  const NullSpace by_rules = allowed_by(part, unknowns, rules);
+  Free surely = find_free(part, unknowns, by_rules, dimensions, true);
   Account account;
   account.is_certain = surely.is_certain;
   account.states.assign(part.faces.size(), FaceState::fixed);
   for (std::size_t i = 0; i < part.faces.size(); ++i)
     if (part.faces[i].surface.kind == surfaces::SurfaceKind::free_form) account.states[i] = FaceState::by_model;
-  if (any_doubt) {
-    const Free perhaps = find_free(part, unknowns, rules, dimensions, false);
+  if (std::any_of(dimensions.begin(), dimensions.end(), is_doubtful)) {
+    const Free perhaps = find_free(part, unknowns, by_rules, dimensions, false);
     mark(account.states, perhaps.motions, FaceState::uncertain);
     account.is_certain = account.is_certain && perhaps.motions.size() == surely.motions.size();
   }
   mark(account.states, surely.motions, FaceState::free);
-  account.needed = static_cast<int>(surely.allowed.size());
+  account.needed = static_cast<int>(by_rules.vectors.size());
   account.motions = std::move(surely.motions);
   std::vector<std::size_t> own(dimensions.size(), 0);  // rows that follow from none before
   for (const int statement : surely.said.of) ++own[static_cast<std::size_t>(statement)];

@@ -36,7 +36,7 @@ struct Account {
 /// whatever the part does as a whole is then nothing. Each is one unknown. `states` are those of the faces, if known.
 std::vector<Row> base_rows(const Part& part, const Unknowns& unknowns, std::span<const FaceState> states = {});
 
-/// The part has common directions (see with_common_directions).
+/// The part has common directions (see with_common_directions); rules are certain.
 Account take_account(const Part& part, const Unknowns& unknowns, std::span<const Statement> rules,
                      std::span<const Statement> dimensions);
 

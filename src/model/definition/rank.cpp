@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "definition/rank.hpp"
 
-#include <Eigen/QR>
+#include <Eigen/OrderingMethods>
 #include <Eigen/SVD>
+#include <Eigen/SparseCore>
+#include <Eigen/SparseQR>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -18,6 +20,7 @@ namespace epura::definition {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
+using SparseMatrix = Eigen::SparseMatrix<double>;
 
 double largest_of(const Row& row) {
   double largest = 0;
@@ -101,6 +104,17 @@ struct Group {
         matrix(static_cast<Eigen::Index>(i), place_of(term.unknown)) = term.factor;
     return matrix;
   }
+  // With rows of zeros, so that it has no fewer rows than columns.
+  [[nodiscard]] SparseMatrix sparse(std::span<const Row> all) const {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (const Term& term : all[static_cast<std::size_t>(rows[i])])
+        entries.emplace_back(static_cast<int>(i), place_of(term.unknown), term.factor);
+    SparseMatrix matrix(static_cast<Eigen::Index>(std::max(rows.size(), unknowns.size())),
+                        static_cast<Eigen::Index>(unknowns.size()));
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+  }
 };
 
 std::vector<Group> groups_of(std::span<const Row> rows) {
@@ -150,19 +164,63 @@ Matrix echelon(Matrix columns) {
   return columns;
 }
 
-// The null space of a group, over the unknowns of the whole.
-NullSpace null_space_of(const Group& group, std::span<const Row> rows) {
-  const Matrix matrix = group.matrix(rows);
+// The smallest singular value of an upper triangle without zeros in its diagonal, from above: by inverse iteration.
+double smallest_value(const SparseMatrix& triangle) {
+  constexpr int steps = 30;
+  Eigen::VectorXd vector = Eigen::VectorXd::Ones(triangle.rows());
+  for (Eigen::Index i = 0; i < vector.size(); ++i) vector(i) += 1.0 / static_cast<double>(i + 2);
+  double value = 0;
+  for (int i = 0; i < steps; ++i) {
+    vector.normalize();
+    vector = triangle.transpose().triangularView<Eigen::Lower>().solve(vector).eval();
+    vector = triangle.triangularView<Eigen::Upper>().solve(vector).eval();
+    value = 1 / std::sqrt(vector.norm());
+  }
+  return value;
+}
+
+/// Columns that span the null space of a matrix.
+struct Kernel {
+  Matrix columns;
+  bool is_certain;
+};
+
+// What QR leaves of columns that follow from others is below `surely_zero`; the smallest singular value of the triangle
+// of the others proves that nothing else follows.
+Kernel kernel_by_qr(const SparseMatrix& matrix) {
+  Eigen::SparseQR<SparseMatrix, Eigen::COLAMDOrdering<int>> qr;
+  qr.setPivotThreshold(surely_zero);
+  qr.compute(matrix);
+  check(qr.info() == Eigen::Success, "each matrix has a QR factorization");
+  const Eigen::Index rank = qr.rank(), count = matrix.cols();
+  const SparseMatrix upper = qr.matrixR();
+  const SparseMatrix triangle = upper.topLeftCorner(rank, rank);
+  Matrix columns = Matrix::Zero(count, count - rank);
+  if (rank > 0 && rank < count)
+    columns.topRows(rank) =
+        -triangle.triangularView<Eigen::Upper>().solve(Matrix(upper.block(0, rank, rank, count - rank)));
+  columns.bottomRows(count - rank).setIdentity();
+  return {qr.colsPermutation() * columns, rank == 0 || smallest_value(triangle) >= surely_not_zero};
+}
+
+// All singular values tell what is nearly free.
+Kernel kernel_in_doubt(const Matrix& matrix) {
   const Eigen::BDCSVD<Matrix> svd(matrix, Eigen::ComputeFullV);
   const auto& values = svd.singularValues();
-  NullSpace found;
-  Eigen::Index rank = 0;
   // Rows were of length 1 before others were put into them: what is left of all of a group may be small.
   const double scale = std::max(values(0), 1.0);
-  for (; rank < values.size() && values(rank) > surely_zero * scale; ++rank)
-    if (values(rank) < surely_not_zero * scale) found.is_certain = false;
-  if (rank == matrix.cols()) return found;
-  const Matrix free = echelon(svd.matrixV().rightCols(matrix.cols() - rank));
+  Eigen::Index rank = 0;
+  while (rank < values.size() && values(rank) > surely_zero * scale) ++rank;
+  const bool is_certain = rank == 0 || values(rank - 1) >= surely_not_zero * scale;
+  return {svd.matrixV().rightCols(matrix.cols() - rank), is_certain};
+}
+
+// The null space of a group, over the unknowns of the whole.
+NullSpace null_space_of(const Group& group, std::span<const Row> rows) {
+  Kernel kernel = kernel_by_qr(group.sparse(rows));
+  if (!kernel.is_certain && group.unknowns.size() <= most_in_doubt) kernel = kernel_in_doubt(group.matrix(rows));
+  NullSpace found{{}, kernel.is_certain};
+  const Matrix free = echelon(std::move(kernel.columns));
   for (Eigen::Index k = 0; k < free.cols(); ++k) {
     Row vector;
     for (Eigen::Index i = 0; i < free.rows(); ++i)
@@ -173,27 +231,35 @@ NullSpace null_space_of(const Group& group, std::span<const Row> rows) {
   return found;
 }
 
-// Which rows follow from earlier ones, and how.
+// Which rows follow from earlier ones, and how: by Gram and Schmidt, twice for each row against rounding.
 class Followers {
  public:
-  explicit Followers(const Matrix& rows) : rows_(rows), base_(0, rows.cols()) {}
+  explicit Followers(const Matrix& rows) : rows_(rows) {
+    const Eigen::Index most = std::min(rows.rows(), rows.cols());
+    square_.resize(rows.cols(), most);
+    triangle_ = Matrix::Zero(most, most);
+  }
 
   std::vector<DependentRow> find() {
     std::vector<DependentRow> found;
     for (Eigen::Index i = 0; i < rows_.rows(); ++i) {
-      const Eigen::VectorXd row = rows_.row(i).transpose();
-      Eigen::VectorXd factors(base_.rows()), rest = row;
-      if (base_.rows() > 0) {
-        factors = base_.transpose().colPivHouseholderQr().solve(row);
-        rest -= base_.transpose() * factors;
+      const auto rank = static_cast<Eigen::Index>(kept_.size());
+      const auto square = square_.leftCols(rank);
+      Eigen::VectorXd rest = rows_.row(i).transpose(), factors = Eigen::VectorXd::Zero(rank);
+      for (int round = 0; round < 2; ++round) {
+        const Eigen::VectorXd along = square.transpose() * rest;
+        rest -= square * along;
+        factors += along;
       }
-      if (rest.norm() > surely_not_zero) {
-        base_.conservativeResize(base_.rows() + 1, Eigen::NoChange);
-        base_.row(base_.rows() - 1) = rows_.row(i);
+      if (rest.norm() > surely_not_zero && rank < square_.cols()) {
+        square_.col(rank) = rest.normalized();
+        triangle_.col(rank).head(rank) = factors;
+        triangle_(rank, rank) = rest.norm();
         kept_.push_back(static_cast<int>(i));
         continue;
       }
       if (rest.norm() > surely_zero) continue;
+      factors = triangle_.topLeftCorner(rank, rank).triangularView<Eigen::Upper>().solve(factors).eval();
       DependentRow one{static_cast<int>(i), {}};
       for (Eigen::Index k = 0; k < factors.size(); ++k)
         if (std::abs(factors(k)) > surely_zero) one.others.push_back({kept_[static_cast<std::size_t>(k)], factors(k)});
@@ -204,7 +270,8 @@ class Followers {
 
  private:
   const Matrix& rows_;
-  Matrix base_;
+  Matrix square_;    // columns of length 1 that are square to each other and span the rows kept
+  Matrix triangle_;  // the rows kept in terms of these
   std::vector<int> kept_;
 };
 

@@ -115,6 +115,10 @@ HatchedFaces add_free_faces(report::Report& report, const world::World& world, c
   for (const std::string& what : found.undecided) report.findings.push_back({report::FindingKind::undecided, "", what});
   for (const std::string& what : found.contradictory)
     report.findings.push_back({report::FindingKind::contradictory, "", what});
+  // From what those follow that features show to be there twice.
+  const bool any_twice = std::any_of(report.findings.begin(), report.findings.end(),
+                                     [](const auto& one) { return one.kind == report::FindingKind::repeated; });
+  if (!any_twice) found.repeated.clear();
   for (const std::string& what : found.repeated) report.findings.push_back({report::FindingKind::follows, "", what});
   for (const std::string& what : found.untrue) report.findings.push_back({report::FindingKind::untrue, "", what});
   if (found.count.all > 0) report.sizes.push_back(std::move(found.count));

@@ -107,7 +107,7 @@ inline constexpr std::array<FindingRow, 10> finding_rows{{
     {"too small", Axis::legibility},
     {"off the sheet", Axis::legibility},
     {"dimensioned twice", Axis::restraint},
-    {"follows from others", Axis::restraint, false},
+    {"follows from others", Axis::restraint},
 }};
 
 /// What is found of the dimensions of a drawing.

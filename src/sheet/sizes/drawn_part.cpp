@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -83,27 +83,96 @@ struct Pair {
   double width, middle;  // from the origin, along the normal
 };
 
-// The narrowest ones first.
-std::vector<Pair> pairs_of_planes(const DrawnPart& drawn) {
-  const double slack = slack_of(drawn.part);
-  std::vector<Pair> pairs;
-  for (std::size_t i = 0; i < drawn.faces; ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      const PartSurface &a = drawn.part.faces[i].surface, &b = drawn.part.faces[j].surface;
-      if (a.kind != SurfaceKind::plane || b.kind != SurfaceKind::plane || !features::are_parallel(a.axis, b.axis))
-        continue;
-      const double one = glm::dot(a.origin, a.axis), other = glm::dot(b.origin, a.axis);
-      if (std::abs(one - other) > slack)
-        pairs.push_back({{static_cast<int>(i), static_cast<int>(j)},
-                         a.axis,
-                         drawn.part.faces[i].at,
-                         std::abs(one - other),
-                         (one + other) / 2});
-    }
-  check(pairs.size() <= drawn.faces * drawn.faces / 2, "two planes are a pair once");
-  std::stable_sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) { return a.width < b.width; });
-  return pairs;
+bool are_at_60_degrees(const Vec3& a, const Vec3& b) {
+  return std::abs(std::abs(glm::dot(a, b)) - 0.5) <= features::parallel;  // its cosine
 }
+
+// Planes of the model by their directions, in the order of their places along these.
+class ParallelPlanes {
+ public:
+  explicit ParallelPlanes(const DrawnPart& drawn) : drawn_(drawn), slack_(slack_of(drawn.part)) {
+    for (int face = 0; face < static_cast<int>(drawn.faces); ++face) {
+      const PartSurface& one = surface(face);
+      if (one.kind != SurfaceKind::plane) continue;
+      const auto known = std::find_if(all_.begin(), all_.end(), [&](const Parallel& parallel) {
+        return features::are_parallel(parallel.normal, one.axis);
+      });
+      Parallel& own = known == all_.end() ? all_.emplace_back(Parallel{one.axis, {}}) : *known;
+      own.places.emplace_back(glm::dot(one.origin, own.normal), face);
+    }
+    for (Parallel& parallel : all_) std::sort(parallel.places.begin(), parallel.places.end());
+  }
+
+  // Of each direction that `is_wanted`, the pairs with the middle in a point, the narrowest ones first.
+  template <class IsWanted>
+  [[nodiscard]] std::vector<std::vector<Pair>> about(const Vec3& point, double slack, const IsWanted& is_wanted) const {
+    std::vector<std::vector<Pair>> found;
+    for (const Parallel& parallel : all_) {
+      if (!is_wanted(parallel.normal)) continue;
+      const double middle = glm::dot(point, parallel.normal);
+      std::vector<Pair> pairs;
+      for (const auto& [place, face] : parallel.places) {
+        const double other = 2 * middle - place;
+        if (place >= other) break;
+        auto at = std::lower_bound(parallel.places.begin(), parallel.places.end(), std::pair(other - 2 * slack, -1));
+        for (; at != parallel.places.end() && at->first <= other + 2 * slack; ++at)
+          if (at->first - place > slack_) pairs.push_back(pair_of(parallel, {place, face}, *at));
+      }
+      sort(pairs);
+      if (!pairs.empty()) found.push_back(std::move(pairs));
+    }
+    check(found.size() <= all_.size(), "each direction has its pairs once");
+    return found;
+  }
+
+  // All pairs with directions at 60 degrees to others, the narrowest ones first.
+  [[nodiscard]] std::vector<Pair> at_60_degrees() const {
+    std::vector<Pair> pairs;
+    for (const Parallel& one : all_) {
+      if (std::none_of(all_.begin(), all_.end(),
+                       [&](const Parallel& other) { return are_at_60_degrees(one.normal, other.normal); }))
+        continue;
+      for (std::size_t i = 0; i < one.places.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j)
+          if (one.places[i].first - one.places[j].first > slack_)
+            pairs.push_back(pair_of(one, one.places[j], one.places[i]));
+    }
+    sort(pairs);
+    return pairs;
+  }
+
+ private:
+  using Place = std::pair<double, int>;  // along the normal, and the face
+  struct Parallel {
+    Vec3 normal;
+    std::vector<Place> places;
+  };
+
+  [[nodiscard]] const PartSurface& surface(int face) const {
+    return drawn_.part.faces[static_cast<std::size_t>(face)].surface;
+  }
+
+  // The later face is the first of the pair, and its normal that of both.
+  [[nodiscard]] Pair pair_of(const Parallel& parallel, const Place& one, const Place& other) const {
+    const int first = std::max(one.second, other.second), second = std::min(one.second, other.second);
+    const double sense = glm::dot(surface(first).axis, parallel.normal) < 0 ? -1 : 1;
+    return {{first, second},
+            surface(first).axis,
+            drawn_.part.faces[static_cast<std::size_t>(first)].at,
+            std::abs(one.first - other.first),
+            sense * (one.first + other.first) / 2};
+  }
+
+  // Of equal widths, those of earlier faces come first.
+  static void sort(std::vector<Pair>& pairs) {
+    std::sort(pairs.begin(), pairs.end(),
+              [](const Pair& a, const Pair& b) { return std::tie(a.width, a.faces) < std::tie(b.width, b.faces); });
+  }
+
+  const DrawnPart& drawn_;
+  double slack_;
+  std::vector<Parallel> all_;
+};
 
 int add_middle(DrawnPart& drawn, const Pair& pair, const Vec3& at, std::vector<int> axes) {
   for (const definition::SymmetryLine& line : drawn.marks.symmetries)
@@ -117,7 +186,7 @@ int add_middle(DrawnPart& drawn, const Pair& pair, const Vec3& at, std::vector<i
 }
 
 // Pairs of planes on both sides of the axis of a round part.
-void add_symmetry(DrawnPart& drawn, const std::vector<Pair>& pairs, const features::Extent& extent) {
+void add_symmetry(DrawnPart& drawn, const ParallelPlanes& planes, const features::Extent& extent) {
   const double slack = slack_of(drawn.part);
   int axis = -1;
   for (std::size_t i = 0; i < drawn.faces && axis < 0; ++i)
@@ -126,15 +195,16 @@ void add_symmetry(DrawnPart& drawn, const std::vector<Pair>& pairs, const featur
         features::distance_from_line(extent.centre, one.origin, one.axis) <= slack)
       axis = static_cast<int>(i);
   if (axis < 0) return;
-  for (const Pair& pair : pairs)
-    if (std::abs(glm::dot(pair.normal, extent.axis)) <= features::parallel &&
-        std::abs(glm::dot(extent.centre, pair.normal) - pair.middle) <= slack / 2)
-      add_middle(drawn, pair, extent.centre, {axis});
+  const auto is_beside = [&](const Vec3& normal) {
+    return std::abs(glm::dot(normal, extent.axis)) <= features::parallel;
+  };
+  for (const std::vector<Pair>& pairs : planes.about(extent.centre, slack / 2, is_beside))
+    for (const Pair& pair : pairs) add_middle(drawn, pair, extent.centre, {axis});
   check(drawn.part.faces.size() >= drawn.faces, "the faces of the model come before what is only drawn");
 }
 
 // What a dimension measures from or to is no face, corner or axis, but the middle between faces.
-void add_middles(DrawnPart& drawn, const std::vector<Pair>& pairs, const Vec3& point, const Vec3& along) {
+void add_middles(DrawnPart& drawn, const ParallelPlanes& planes, const Vec3& point, const Vec3& along) {
   const double slack = slack_of(drawn.part);
   const std::vector<definition::Face>& faces = drawn.part.faces;
   if (std::any_of(faces.begin(), faces.end(), [&](const definition::Face& face) {
@@ -143,14 +213,10 @@ void add_middles(DrawnPart& drawn, const std::vector<Pair>& pairs, const Vec3& p
       }))
     return;
   std::vector<Pair> nearest;  // of each direction, the narrowest ones first
-  for (const Pair& pair : pairs) {
-    if (std::abs(glm::dot(point, pair.normal) - pair.middle) > slack ||
-        std::abs(glm::dot(pair.normal, along)) <= features::parallel)
-      continue;
-    if (std::none_of(nearest.begin(), nearest.end(),
-                     [&](const Pair& one) { return features::are_parallel(one.normal, pair.normal); }))
-      nearest.push_back(pair);
-  }
+  const auto is_across = [&](const Vec3& normal) { return std::abs(glm::dot(normal, along)) > features::parallel; };
+  for (const std::vector<Pair>& pairs : planes.about(point, slack, is_across)) nearest.push_back(pairs.front());
+  std::sort(nearest.begin(), nearest.end(),
+            [](const Pair& a, const Pair& b) { return std::tie(a.width, a.faces) < std::tie(b.width, b.faces); });
   if (nearest.empty()) return;
   const bool is_one = features::are_parallel(nearest.front().normal, along);
   nearest.resize(std::min<std::size_t>(nearest.size(), is_one ? 1 : 2));
@@ -179,12 +245,8 @@ void add_centre_lines(DrawnPart& drawn, std::span<const Vec3> points) {
   }
 }
 
-bool are_at_60_degrees(const Vec3& a, const Vec3& b) {
-  return std::abs(std::abs(glm::dot(a, b)) - 0.5) <= features::parallel;  // its cosine
-}
-
 // Three pairs, of each the middle goes through one axis.
-void add_hexagons(DrawnPart& drawn, const std::vector<Pair>& all) {
+void add_hexagons(DrawnPart& drawn, const ParallelPlanes& planes) {
   const double slack = slack_of(drawn.part);
   const auto near = [&](const Pair& pair, const Vec3& centre, const Vec3& axis) {
     return std::all_of(pair.faces.begin(), pair.faces.end(), [&](int face) {
@@ -192,13 +254,7 @@ void add_hexagons(DrawnPart& drawn, const std::vector<Pair>& all) {
              pair.width;
     });
   };
-  const std::vector<definition::Face>& faces = drawn.part.faces;
-  std::vector<Pair> pairs;
-  std::copy_if(all.begin(), all.end(), std::back_inserter(pairs), [&](const Pair& pair) {
-    return std::any_of(faces.begin(), faces.end(), [&](const definition::Face& face) {
-      return face.surface.kind == SurfaceKind::plane && are_at_60_degrees(face.surface.axis, pair.normal);
-    });
-  });
+  const std::vector<Pair> pairs = planes.at_60_degrees();
   for (std::size_t i = 0; i < pairs.size(); ++i)
     for (std::size_t j = i + 1; j < pairs.size() && pairs[j].width <= pairs[i].width + slack; ++j) {
       if (!are_at_60_degrees(pairs[i].normal, pairs[j].normal)) continue;
@@ -232,7 +288,7 @@ DrawnPart with_drawn_lines(Part part, std::span<const DimensionsInView> views,
                            std::span<const features::Extent, 3> extents) {
   const std::size_t faces = part.faces.size();
   DrawnPart drawn{std::move(part), faces, {}};
-  const std::vector<Pair> pairs = pairs_of_planes(drawn);
+  const ParallelPlanes planes(drawn);
   std::vector<WorldCircle> seen;
   for (const DimensionsInView& view : views)
     for (const AnchoredDimension& dimension : view.dimensions) {
@@ -248,13 +304,13 @@ DrawnPart with_drawn_lines(Part part, std::span<const DimensionsInView> views,
     if (extents[i].form == features::ExtentForm::diameter &&
         std::none_of(extents.begin(), extents.begin() + static_cast<std::ptrdiff_t>(i),
                      [&](const features::Extent& one) { return one.is_same_as(extents[i]); }))
-      add_symmetry(drawn, pairs, extents[i]);
-  add_hexagons(drawn, pairs);
+      add_symmetry(drawn, planes, extents[i]);
+  add_hexagons(drawn, planes);
   for (const DimensionsInView& view : views)
     for (const AnchoredDimension& dimension : view.dimensions) {
       if (dimension.type == DimensionType::angular) add_centre_lines(drawn, dimension.points);
       if (const std::optional<Vec3> along = measured_along(dimension, view))
-        for (const Vec3& point : dimension.points) add_middles(drawn, pairs, point, *along);
+        for (const Vec3& point : dimension.points) add_middles(drawn, planes, point, *along);
     }
   check(drawn.part.faces.size() >= faces + drawn.marks.circles.size() + drawn.marks.symmetries.size(),
         "each circle and plane of symmetry has a face of its own");

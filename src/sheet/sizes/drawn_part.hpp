@@ -26,8 +26,8 @@ struct DrawnPart {
 DrawnPart with_drawn_lines(definition::Part part, std::span<const DimensionsInView> views,
                            std::span<const features::Extent, 3> extents);
 
-/// Ranks take time as the cube of the faces that hang together.
-inline constexpr std::size_t most_faces = 2000;
+/// Each face is compared with each other one.
+inline constexpr std::size_t most_faces = 10'000;
 
 /// The only model of a world with what is drawn beside its faces, none of which are drawn if it has more than
 /// `most_faces`; what is drawn parallel is parallel. Walls of letters, which are given by their text, are of free form.

@@ -88,9 +88,7 @@ std::vector<std::string> repeated_in(const Account& account, const FaceStatement
       if (!follows || number < first || number >= last) continue;
       for (const int other : list) {
         const auto one = static_cast<std::size_t>(other);
-        // What a text says of other features, too, is a reading of it.
-        const bool is_own_size = one == 0 || said.of[one - 1] != said.of[one];
-        follows = follows && said.statements[one].is_certain && is_own_size;
+        follows = follows && said.statements[one].is_certain;
         const bool is_known =
             std::any_of(from.begin(), from.end(), [&](std::size_t known) { return said.of[known] == said.of[one]; });
         if (said.of[one] != said.of[first] && !is_known) from.push_back(one);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "definition/rank.hpp"
 #include "made_parts.hpp"
 
 namespace epura::definition::closed_forms_test {
@@ -377,6 +378,29 @@ TEST(Definition, A_free_form_is_given_by_the_model) {
   sheet.distance(left, right, left).distance(front, back, front).distance(bottom, top, bottom);
   EXPECT_EQ(sheet.account().states[6], FaceState::by_model);
   EXPECT_TRUE(sheet.account().is_complete());
+}
+
+// Rows of three unknowns that overlap: one group, too large for dense matrices.
+TEST(Definition, Ranks_of_large_groups_are_proved) {
+  constexpr int count = 4000;
+  std::vector<Row> rows;
+  for (int i = 0; i + 2 < count; ++i) rows.push_back({{i, 0.8}, {i + 1, 0.5}, {i + 2, 0.33}});
+  const NullSpace two = null_space(count, rows);
+  EXPECT_EQ(two.vectors.size(), 2U);
+  EXPECT_TRUE(two.is_certain);
+  for (const Row& row : rows)
+    for (const Row& vector : two.vectors) {
+      double sum = 0;
+      for (const Term& term : row)
+        for (const Term& other : vector)
+          if (other.unknown == term.unknown) sum += term.factor * other.factor;
+      ASSERT_NEAR(sum, 0, 1e-6);
+    }
+  rows.push_back({{count - 3, 0.6}, {count - 2, 0.5}, {count - 1, 0.6}});
+  EXPECT_EQ(null_space(count, rows).vectors.size(), 1U);
+  rows.push_back({{count - 3, 0.6}, {count - 2, 0.5 + 1e-5}, {count - 1, 0.6}});
+  const NullSpace nearly = null_space(count, rows);
+  EXPECT_FALSE(nearly.is_certain) << "the last two rows are nearly one";
 }
 
 // Each is a row that some part needs: without it, the part has more sizes.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <string_view>
@@ -156,6 +157,62 @@ TEST(FreeFaces, AreFoundInPartsThatAreDefinedTooLittleOrTooMuch) {
     }
   EXPECT_GE(parts, 600U);
   EXPECT_GE(removed, 560U);
+}
+
+namespace {
+
+/// A plate with rows of square pockets of one depth, all in line: its places are those of 2 planes for each row and
+/// column, and its sizes a depth and those of the plate.
+std::string plate_with_pockets(int columns, int rows) {
+  std::vector<int> xs{0}, ys{0};
+  for (int i = 0; i < columns; ++i) xs.insert(xs.end(), {20 * i + 4, 20 * i + 16});
+  for (int j = 0; j < rows; ++j) ys.insert(ys.end(), {20 * j + 4, 20 * j + 16});
+  xs.push_back(20 * columns);
+  ys.push_back(20 * rows);
+  std::string vertices, faces;
+  int count = 0;
+  const auto quad = [&](const std::array<std::array<int, 3>, 4>& corners) {
+    faces += "f";
+    for (const auto& [x, y, z] : corners) {
+      vertices += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+      faces += " " + std::to_string(++count);
+    }
+    faces += "\n";
+  };
+  for (std::size_t i = 0; i + 1 < xs.size(); ++i)
+    for (std::size_t j = 0; j + 1 < ys.size(); ++j) {
+      const int a = xs[i], b = xs[i + 1], c = ys[j], d = ys[j + 1];
+      const bool is_pocket = i % 2 == 1 && j % 2 == 1;
+      const int z = is_pocket ? 5 : 10;
+      quad({{{a, c, 0}, {a, d, 0}, {b, d, 0}, {b, c, 0}}});
+      quad({{{a, c, z}, {b, c, z}, {b, d, z}, {a, d, z}}});
+      if (!is_pocket) continue;
+      quad({{{a, c, 10}, {b, c, 10}, {b, c, 5}, {a, c, 5}}});
+      quad({{{b, c, 10}, {b, d, 10}, {b, d, 5}, {b, c, 5}}});
+      quad({{{b, d, 10}, {a, d, 10}, {a, d, 5}, {b, d, 5}}});
+      quad({{{a, d, 10}, {a, c, 10}, {a, c, 5}, {a, d, 5}}});
+    }
+  for (std::size_t i = 0; i + 1 < xs.size(); ++i) {
+    quad({{{xs[i], 0, 0}, {xs[i + 1], 0, 0}, {xs[i + 1], 0, 10}, {xs[i], 0, 10}}});
+    quad({{{xs[i + 1], ys.back(), 0}, {xs[i], ys.back(), 0}, {xs[i], ys.back(), 10}, {xs[i + 1], ys.back(), 10}}});
+  }
+  for (std::size_t j = 0; j + 1 < ys.size(); ++j) {
+    quad({{{0, ys[j + 1], 0}, {0, ys[j], 0}, {0, ys[j], 10}, {0, ys[j + 1], 10}}});
+    quad({{{xs.back(), ys[j], 0}, {xs.back(), ys[j + 1], 0}, {xs.back(), ys[j + 1], 10}, {xs.back(), ys[j], 10}}});
+  }
+  return vertices + faces;
+}
+
+}  // namespace
+
+TEST(FreeFaces, AreFoundAmongThousands) {
+  const int columns = 21, rows = 20;
+  const world::World world = world_of(plate_with_pockets(columns, rows));
+  const sheet::FreeFaces free = sheet::find_free_faces({}, world, features::true_extents(world), {},
+                                                       definition::rules_of(definition::Standard::iso));
+  EXPECT_EQ(free.count.all, 5 * columns * rows + 6);
+  EXPECT_TRUE(free.undecided.empty());
+  EXPECT_EQ(free.free.size(), 3U + 1 + 2 * columns + 2 * rows);
 }
 
 }  // namespace epura::test::free_faces_test
