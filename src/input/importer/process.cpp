@@ -180,7 +180,8 @@ void serve(const std::filesystem::path& library, int socket) {
 
 // What to do about a file that takes too much; `key` is the parameter that allows more.
 std::string cures(const Reading& reading, const std::string& key) {
-  return "is the file whole? export it again, or its parts in files of their own, or ask for coarser facets or a smaller scale; " +
+  return "is the file whole? export it again, or its parts in files of their own, or ask for coarser facets or a "
+         "smaller scale; " +
          reading.name + ":" + key + " allows more";
 }
 

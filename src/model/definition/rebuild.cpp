@@ -89,7 +89,7 @@ Eigen::VectorXd step_of(const Equations& equations, double damping) {
 Rebuilt rebuild(const Unknowns& unknowns, std::span<const Row> base, const StateAll& state_all, double off,
                 unsigned seed) {
   constexpr int most_steps = 60;
-  constexpr double settled = surely_zero * surely_not_zero;
+  const double settled = surely_zero * surely_not_zero;
   const int count = unknowns.count();
   std::mt19937 random(seed);
   Rebuilt found;

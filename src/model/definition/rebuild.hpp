@@ -21,9 +21,9 @@ struct Rebuilt {
 };
 
 /// Changes each unknown by up to `off`, relative to the size of the part or in radians, as `seed` says; then looks for
-/// faces by the method of Levenberg and Marquardt for which all holds that is certain. What is said is asked for where the surfaces are then,
-/// by StateAll, so what is nearly so in linear terms does not count. What nothing holds stays off.
-/// `base` holds the part as a whole (see base_rows).
+/// faces by the method of Levenberg and Marquardt for which all holds that is certain. What is said is asked for where
+/// the surfaces are then, by StateAll, so what is nearly so in linear terms does not count. What nothing holds stays
+/// off. `base` holds the part as a whole (see base_rows).
 Rebuilt rebuild(const Unknowns& unknowns, std::span<const Row> base, const StateAll& state_all, double off,
                 unsigned seed);
 

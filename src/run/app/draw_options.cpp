@@ -448,10 +448,11 @@ scene::Options<DrawOptions> define_options() {
   all.push_back(scene::option<Draw>(
       {.flag = "--json", .help = "the result as JSON; - for standard output", .nature = scene::Nature::run},
       &Draw::found_json, file_name("FILE")));
-  all.push_back(scene::option<Draw>({.flag = "--rebuild",
-                                     .help = "perturb the faces of the part, and find them again from the numbers, as without it",
-                                     .nature = scene::Nature::run},
-                                    run(&pipeline::RunOptions::rebuild), scene::truth()));
+  all.push_back(
+      scene::option<Draw>({.flag = "--rebuild",
+                           .help = "perturb the faces of the part, and find them again from the numbers, as without it",
+                           .nature = scene::Nature::run},
+                          run(&pipeline::RunOptions::rebuild), scene::truth()));
   return all;
 }
 

@@ -10,7 +10,8 @@
 namespace epura::definition::rebuild_test {
 namespace {
 
-// The arc tangent of a radius, of which Newton's method goes farther away from 0 with each step but the first beside it.
+// The arc tangent of a radius, of which Newton's method goes farther away from 0 with each step but the first beside
+// it.
 TEST(Rebuild, ComesToRestWhereNewtonsMethodDiverges) {
   constexpr double steepness = 20, off = 0.5;
   Part part{{sphere({0, 0, 0}, 10, 1000)}};
