@@ -17,6 +17,10 @@ inline constexpr double surely_not_zero = 1e-4;     ///< above: something holds 
 inline constexpr std::size_t most_in_doubt = 3000;  ///< unknowns whose singular values are all found: half a minute
 inline constexpr double rounding = 1e-11;           ///< factors of rows below are sums that cancel
 
+// Of the method of Levenberg and Marquardt (rebuild.hpp), relative to rows of length 1.
+inline constexpr double least_damping = 1e-4;  ///< less is none
+inline constexpr double damping_step = 10;     ///< from step to step
+
 inline constexpr double good_base = 0.1;     ///< independence, of what the datum faces hold of the part
 inline constexpr double seen_at_all = 1e-3;  ///< the same: motions that show less leave the part as it is
 inline constexpr double moves = 1e-6;        ///< relative to the largest change in a motion

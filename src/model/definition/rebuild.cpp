@@ -54,9 +54,6 @@ Equations equations_of(const std::vector<Statement>& statements, std::span<const
   return found;
 }
 
-// Of the method of Levenberg and Marquardt, relative to rows of length 1.
-constexpr double least_damping = 1e-4, damping_step = 10;
-
 /// Where least is left so far.
 struct Best {
   Equations equations{};

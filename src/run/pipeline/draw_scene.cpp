@@ -391,9 +391,8 @@ std::optional<Attempt> Run::attempt_if(const Trial& trial, const DrawSheet& draw
   return result;
 }
 
-// The room for dimensions in the usual layout is an estimate: short ones share lines, and most are on one side of their
-// view. So a better layout, which has a part of it, counts if everything has a place; then one that is better still
-// may.
+// The room for dimensions in the usual layout is an estimate: many share lines or are on one side of their view. So a
+// better layout, which has a part of it, counts if everything has a place; then one that is better still may.
 std::optional<Attempt> Run::attempt_better(const ShownWorlds& worlds, PreparedSheet& sheet, const SheetPlan& usual) {
   if (!usual.inside || !dimensions_features(scene) || worlds.main().triangles.size() > max_drawn_again)
     return std::nullopt;
