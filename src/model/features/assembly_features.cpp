@@ -97,6 +97,18 @@ void add_levels(std::vector<LevelFeature>& levels, const Box& part, const Box& w
   }
 }
 
+// Places along an axis that are more than a view has room for belong to drawings of groups of parts.
+void leave_out_crowds(PartFeatures& features) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto is_along = [&](const LevelFeature& level) { return level.axis == axis; };
+    const auto count =
+        static_cast<std::size_t>(std::count_if(features.levels.begin(), features.levels.end(), is_along));
+    if (count <= max_places) continue;
+    features.unplaced[static_cast<std::size_t>(axis)] = count;
+    std::erase_if(features.levels, is_along);
+  }
+}
+
 // With names, or closed: a cracked surface is in pieces, too.
 bool has_several_bodies(const world::Placed& placed) {
   const mesh::Mesh& mesh = placed.mesh->whole();
@@ -136,7 +148,16 @@ PartFeatures assembly_features(const world::World& world, const PartFeatures& al
   std::stable_sort(features.levels.begin(), features.levels.end(), [](const LevelFeature& a, const LevelFeature& b) {
     return std::pair(a.axis, a.at) < std::pair(b.axis, b.at);
   });
+  leave_out_crowds(features);
   return features;
+}
+
+std::vector<std::string> unplaced_parts(const std::array<std::size_t, 3>& unplaced) {
+  std::vector<std::string> names;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (unplaced[axis] > 0)
+      names.push_back(std::to_string(unplaced[axis]) + " places of parts along " + std::string(1, "xyz"[axis]));
+  return names;
 }
 
 PartFeatures features_to_dimension(const world::World& world, const Progress& progress) {

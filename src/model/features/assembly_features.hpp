@@ -2,6 +2,11 @@
 // What the drawing of an assembly gives sizes for: where its parts are, and where others may be fastened to it.
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
 #include "features/part_features.hpp"
 #include "world/world.hpp"
 
@@ -12,8 +17,12 @@ bool is_assembly(const world::World& world);
 
 /// Of the features of an assembly, holes in which no other part is; and as levels where its parts begin (on the left,
 /// in front, below) or, of round parts and those with a bore in the middle, where their axes are, without parts smaller
-/// than a hundredth of its size. The features of its parts are for their own drawings.
+/// than a hundredth of its size, unless they are too many (PartFeatures::unplaced). The features of its parts are for
+/// their own drawings.
 PartFeatures assembly_features(const world::World& world, const PartFeatures& all);
+
+/// "43 places of parts along x", by axis with any: of PartFeatures::unplaced.
+std::vector<std::string> unplaced_parts(const std::array<std::size_t, 3>& unplaced);
 
 /// The features that a drawing of the world gives sizes for. Throws OutOfTime.
 PartFeatures features_to_dimension(const world::World& world, const Progress& progress = {});

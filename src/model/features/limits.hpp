@@ -51,8 +51,10 @@ inline constexpr std::size_t usual_walls = 12;    ///< on average; a rectangle w
 // Assemblies.
 
 inline constexpr double min_part = 0.01;  ///< of the diagonal of the assembly
-inline constexpr double off_axis = 0.1;   ///< between the axes of a hole and what is in it, in radii of the hole
-inline constexpr double looks_into = 2;   ///< diameters of a hole without a certain depth
+/// Along one axis: twelve on each of two sides of a view. Of more, nobody finds the part that a number is of.
+inline constexpr std::size_t max_places = 24;
+inline constexpr double off_axis = 0.1;  ///< between the axes of a hole and what is in it, in radii of the hole
+inline constexpr double looks_into = 2;  ///< diameters of a hole without a certain depth
 
 // Helical threads.
 

@@ -192,6 +192,8 @@ struct PartFeatures {
   std::vector<HexagonFeature> hexagons{};
   std::vector<PlaneFeature> inclined{};
   bool of_assembly = false;  ///< as is_assembly of the world
+  /// Along each axis: places of parts of an assembly that are too many for a row, and that are not among the levels.
+  std::array<std::size_t, 3> unplaced{};
 };
 
 /// Whether two cylinders of one model, both outwards or both inwards, have one axis.

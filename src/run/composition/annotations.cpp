@@ -219,6 +219,7 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
         if (!is_outside(one)) add_to(one, *dimension.type == DimensionType::overall);
     }
   }
+  if (known) annotations.front().unplaced = known->unplaced;
   if (known) replace_found(found, annotations, world, features(), projections);
   match_found(found, annotations, world, scene, projections, notation);
   for (std::size_t i = 0; i < views.size(); ++i) {

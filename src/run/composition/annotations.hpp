@@ -2,6 +2,7 @@
 // Dimensions and sections of a scene -> annotations of each view on a sheet.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -47,6 +48,7 @@ struct Annotations {
   std::vector<scene::CalloutDescription> attached{};       ///< in line with dimensions of this view
   bool balloons = false;                                   ///< the view may have balloons
   std::optional<Vec3> centre_of_gravity{};                 ///< of the models, if its symbol is wanted
+  std::array<std::size_t, 3> unplaced{};                   ///< as in features::PartFeatures, in the first view
   MatchedSizes sizes{};                                    ///< if the scene says more of automatic ones by their text
 };
 

@@ -149,7 +149,7 @@ void warn_of_unrecognised(const Messages& messages, const scene::SceneDescriptio
   for (std::size_t model = 0; model < world.models.size(); ++model)
     if (is_unrecognised(scene, world, model))
       messages.warn("model " + std::to_string(model) +
-                    ": nothing is recognised, so it has overall dimensions only, and a note refers to its file");
+                    ": nothing is recognised, so none of its features has a size, and a note refers to its file");
 }
 
 std::vector<std::string> free_forms_without_tolerance(const scene::SceneDescription& scene, const world::World& world,

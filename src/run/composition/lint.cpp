@@ -90,6 +90,8 @@ void add_uncovered_sizes(report::Report& report, const world::World& world, cons
   std::vector<report::Finding>& findings = report.findings;
   for (const std::string& what : coverage.undimensioned)
     findings.push_back({report::FindingKind::undimensioned, "", what});
+  for (const std::string& what : features::unplaced_parts(features.unplaced))
+    findings.push_back({report::FindingKind::undimensioned, "", what});
   for (const sheet::DimensionsInView& view : views) find_cut_off(findings, scene, view);
   for (const std::string& what : coverage.repeated) findings.push_back({report::FindingKind::repeated, "", what});
   report.sizes = std::move(coverage.counts);

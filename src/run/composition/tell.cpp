@@ -11,6 +11,7 @@
 #include "base/utf8.hpp"
 #include "composition/layout.hpp"
 #include "drawing/drawing.hpp"
+#include "features/assembly_features.hpp"
 #include "report/format.hpp"
 #include "sheet/lettering.hpp"
 #include "sheet/standard_scale.hpp"
@@ -105,6 +106,15 @@ std::string first_of(const std::vector<std::string>& texts) {
   const std::size_t more = texts.size() - std::min(most, texts.size());
   if (more > 0) list += and_others(more) + " (epura lint lists all)";
   return list;
+}
+
+void warn_of_unplaced(const Messages& messages, const std::vector<Annotations>& by_view) {
+  std::string list;
+  for (const Annotations& of_view : by_view)
+    for (const std::string& one : features::unplaced_parts(of_view.unplaced)) list += (list.empty() ? "" : ", ") + one;
+  if (!list.empty())
+    messages.warn("left out, since a view has no room for so many: " + list +
+                  "\n  hint: draw groups of parts, or add a [[dimension]] for each place that matters");
 }
 
 bool warn_of_unmatched(const Messages& messages, const scene::SceneDescription& scene, MatchedSizes sizes) {

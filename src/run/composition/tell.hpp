@@ -25,6 +25,9 @@ void tell_of_scales(const Messages& messages, const SheetPlan& plan, const scene
 /// The first of many texts: "'⌀8', '20', '30' and 3 others (epura lint lists all)".
 std::string first_of(const std::vector<std::string>& texts);
 
+/// Warns of places of parts that are too many for a view.
+void warn_of_unplaced(const Messages& messages, const std::vector<Annotations>& by_view);
+
 /// Warns of each [[dimension]] whose pattern no automatic size matches. Returns whether there is one.
 bool warn_of_unmatched(const Messages& messages, const scene::SceneDescription& scene, MatchedSizes sizes);
 

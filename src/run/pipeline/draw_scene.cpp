@@ -238,6 +238,7 @@ PreparedSheet Run::prepare_sheet(const ShownWorlds& worlds, SheetOfViews views) 
   state_requirements(scene, required, {views, seen, worlds});
   std::vector<Annotations> annotations = annotate(whole, scene, views, seen, worlds.surfaces());
   for (const Annotations& of_view : annotations) gathered.sizes.add(of_view.sizes);
+  warn_of_unplaced(messages, annotations);
   std::vector<sheet::DimensionsInView> anchored;
   if (needs_anchors(options)) anchored = anchored_dimensions(whole, views, seen, annotations);
   return {std::move(views), std::move(seen), std::move(annotations), std::move(anchored)};
@@ -410,8 +411,7 @@ std::optional<Attempt> Run::attempt_better(const ShownWorlds& worlds, PreparedSh
   return std::nullopt;
 }
 
-// With less room for dimensions than usual, which is told, if the views have no place on the sheet otherwise, at any or
-// the given scale.
+// With less room for dimensions than usual, which is told, if the views have no place on the sheet otherwise.
 SheetPlan Run::usual_plan(const ShownWorlds& worlds, PreparedSheet& sheet) const {
   SheetPlan usual = plan_of(worlds, sheet, {});
   if (usual.inside) return usual;

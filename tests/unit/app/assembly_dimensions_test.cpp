@@ -2,10 +2,12 @@
 // Automatic dimensions of assemblies: overall sizes, and where the parts are.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "drawn_texts.hpp"
 #include "errors.hpp"
@@ -72,6 +74,34 @@ TEST(AssemblyDimensions, RoundPartsHaveThePlacesOfTheirAxes) {
       epura({"draw", "pins.obj", "--views", "front,top,left", "--dimensions", "auto", "-o", "x.svg"}, folder / "");
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_EQ(sorted(dimensions_in(read_file(folder / "x.svg"))), sorted({"40", "20", "24", "13", "8", "10", "15"}));
+}
+
+// As many places as both sides of a view have room for are given; of more, nobody finds the part that a number is of.
+TEST(AssemblyDimensions, ManyPartsHaveNoPlaces) {
+  for (const int count : {24, 25}) {
+    const Folder folder;
+    std::string parts = box({0, 0, 0}, {500, 20, 10}, 1);
+    for (int i = 0; i < count; ++i) {
+      const double at = 10 + 14.5 * i + 0.1 * i * i;
+      parts += box({at, 5, 10}, {at + 6, 14, 26}, 9 + 8 * i);
+    }
+    folder.file("many.obj", parts);
+    std::vector<std::string> words{"lint",         "many.obj", "--views", "front,top,left",
+                                   "--dimensions", "auto",     "--sheet", "A1"};
+    const Outcome judged = epura(words, folder / "");
+    words.front() = "draw";
+    words.insert(words.end(), {"-o", "x.svg"});
+    const Outcome drawn = epura(words, folder / "");
+    const std::vector<std::string> texts = dimensions_in(read_file(folder / "x.svg"));
+    const bool has_all = count == 24;
+    EXPECT_EQ(drawn.code, 0) << drawn.err;
+    EXPECT_EQ(contains(drawn.err, "25 places of parts along x"), !has_all) << drawn.err;
+    EXPECT_EQ(contains(judged.out, "25 places of parts along x"), !has_all) << judged.out;
+    EXPECT_EQ(judged.code, has_all ? 0 : 1) << judged.out << judged.err;
+    EXPECT_EQ(std::count(texts.begin(), texts.end(), "24.6"), has_all ? 1 : 0);
+    for (const char* size : {"500", "20", "26", "5", "10"})
+      EXPECT_GE(std::count(texts.begin(), texts.end(), size), 1) << size << " of " << count;
+  }
 }
 
 }  // namespace
