@@ -121,6 +121,20 @@ TEST(Archive, IsReadInOrderWithWordsForWhatIsNoText) {
   EXPECT_FALSE(pdf.has_trouble());
 }
 
+// ISO 19005-3, 6.1.7.1: an end of line before `endstream` that is no byte of the stream.
+TEST(Archive, EndsALineBeforeTheEndOfEachStream) {
+  const sheet::Sheet sheet = small_sheet();
+  const std::string bytes = archive_of({&sheet});
+  const std::string begin = ">>\nstream\n", length = "/Length ";
+  int streams = 0;
+  for (std::size_t at = bytes.find(begin); at != bytes.npos; at = bytes.find(begin, at + 1)) {
+    const std::size_t digits = bytes.rfind(length, at) + length.size();
+    EXPECT_EQ(bytes.substr(at + begin.size() + std::stoul(bytes.substr(digits, 9)), 10), "\nendstream");
+    ++streams;
+  }
+  EXPECT_GE(streams, 5);
+}
+
 TEST(Archive, MarksAllInkOnceAndFindsItsElements) {
   const sheet::Sheet sheet = small_sheet(), other = random_sheet(100, 100);
   const std::string bytes = archive_of({&sheet, &other});

@@ -43,15 +43,16 @@ std::string metadata_of(const PdfDocument& document) {
          "<x:xmpmeta xmlns:x=\"adobe:ns:meta/\"><rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\">\n"
          "<rdf:Description rdf:about=\"\" xmlns:dc=\"http://purl.org/dc/elements/1.1/\" "
          "xmlns:pdf=\"http://ns.adobe.com/pdf/1.3/\" xmlns:pdfaid=\"http://www.aiim.org/pdfa/ns/id/\" "
-         "xmlns:pdfuaid=\"http://www.aiim.org/pdfua/ns/id/\" "
-         "xmlns:pdfaExtension=\"http://www.aiim.org/pdfa/ns/extension/\" "
-         "xmlns:pdfaSchema=\"http://www.aiim.org/pdfa/ns/schema#\" "
-         "xmlns:pdfaProperty=\"http://www.aiim.org/pdfa/ns/property#\">\n" +
+         "xmlns:pdfuaid=\"http://www.aiim.org/pdfua/ns/id/\">\n" +
          container("dc:title", "Alt", " xml:lang=\"x-default\"", document.title) +
          container("dc:creator", "Seq", "", document.author) +
          container("dc:description", "Alt", " xml:lang=\"x-default\"", document.subject) +
          "<pdf:Producer>epura</pdf:Producer>\n<pdfaid:part>3</pdfaid:part>\n"
-         "<pdfaid:conformance>B</pdfaid:conformance>\n<pdfuaid:part>1</pdfuaid:part>\n" +
+         "<pdfaid:conformance>B</pdfaid:conformance>\n<pdfuaid:part>1</pdfuaid:part>\n</rdf:Description>\n"
+         // By itself, as PDFBox finds it.
+         "<rdf:Description rdf:about=\"\" xmlns:pdfaExtension=\"http://www.aiim.org/pdfa/ns/extension/\" "
+         "xmlns:pdfaSchema=\"http://www.aiim.org/pdfa/ns/schema#\" "
+         "xmlns:pdfaProperty=\"http://www.aiim.org/pdfa/ns/property#\">\n" +
          schema_of_pdfua + "</rdf:Description>\n</rdf:RDF></x:xmpmeta>\n<?xpacket end=\"r\"?>";
 }
 

@@ -216,8 +216,9 @@ void add_attachments(QPDF& pdf, const std::vector<Attachment>& attachments) {
   pdf.getRoot().replaceKey("/AF", associated);
 }
 
-std::string bytes_of(QPDF& pdf) {
+std::string bytes_of(QPDF& pdf, bool is_archive) {
   QPDFWriter writer(pdf);
+  writer.setNewlineBeforeEndstream(is_archive);  // ISO 19005-3, 6.1.7.1
   writer.setOutputMemory();
   writer.setObjectStreamMode(qpdf_o_generate);
   writer.setDeterministicID(true);
@@ -251,7 +252,7 @@ std::string join_pdf_layers(const PdfDocument& document) {
     add_structure(pdf, document.pages, pages);
     make_archive(pdf, document);
   }
-  return bytes_of(pdf);
+  return bytes_of(pdf, document.is_archive);
 }
 
 }  // namespace epura::output
