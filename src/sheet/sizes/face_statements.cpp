@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
-#include <charconv>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -34,20 +32,6 @@ using definition::Statement;
 using definition::UnknownKind;
 using surfaces::PartSurface;
 using surfaces::SurfaceKind;
-
-// All numbers of a text, without the count before "×" at its beginning.
-std::vector<double> numbers_in(std::string text) {
-  if (repeats_of(text) > 1) text.erase(0, text.find("×"));
-  std::vector<double> numbers;
-  for (std::size_t i = 0; i < text.size();) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data() + i, text.data() + text.size(), value);
-    const bool is_number = error == std::errc() && std::isdigit(static_cast<unsigned char>(text[i])) != 0;
-    if (is_number) numbers.push_back(value);
-    i = is_number ? static_cast<std::size_t>(end - text.data()) : i + 1;
-  }
-  return numbers;
-}
 
 // One thing that a number in a text may mean: it determines one of two from the other. -1: what is fixed.
 struct Candidate {
@@ -83,6 +67,7 @@ class Reader {
         count_(drawn.faces),
         directions_(directions),
         unknowns_(unknowns),
+        notation_(notation),
         measured_(drawn, directions, unknowns, notation),
         slack_(slack_of(drawn.part)) {}
 
@@ -96,8 +81,16 @@ class Reader {
  private:
   void read_one(const AnchoredDimension& dimension, const DimensionsInView& view,
                 const std::array<std::size_t, 2>& place) {
+    const std::size_t before = found_.statements.size();
     if (!is_auxiliary(dimension)) read(dimension, view);
+    for (std::size_t i = before; i < found_.statements.size(); ++i)
+      found_.statements[i].name = name_of(dimension, view);
     found_.of.resize(found_.statements.size(), place);
+  }
+  // As a reader of the sheet finds it.
+  [[nodiscard]] std::string name_of(const AnchoredDimension& dimension, const DimensionsInView& view) const {
+    const std::optional<StatedSize> size = stated_size(dimension, view);
+    return "'" + (size ? size->text : text_of(dimension, view, notation_)) + "' in view '" + view.view + "'";
   }
   [[nodiscard]] const PartSurface& surface(int face) const {
     return part_.faces[static_cast<std::size_t>(face)].surface;
@@ -126,16 +119,13 @@ class Reader {
     }
     check(found_.statements.size() >= before, "no dimension takes back what another one says");
     if (found_.statements.size() > before) state_text(found_.statements[before], dimension, view);
-    if (found_.statements.size() == before)
-      found_.unread.push_back(dimension.text.empty() ? dimension.where
-                                                     : "'" + dimension.text + "' of " + dimension.where);
+    if (found_.statements.size() == before) found_.unread.push_back(name_of(dimension, view));
   }
 
   // What its text says of the statement that a dimension makes first.
   void state_text(Statement& statement, const AnchoredDimension& dimension, const DimensionsInView& view) {
     const std::optional<StatedSize> size = stated_size(dimension, view);
     if (!size) return;
-    statement.name = "'" + size->text + "' of " + statement.name;
     double factor = 1 / part_.size;
     if (dimension.type == DimensionType::diameter) factor /= 2;
     if (dimension.type == DimensionType::angular) factor = -1 / degrees;
@@ -144,27 +134,26 @@ class Reader {
     statement.more = factor * (size->stated - size->measured);
     statement.slack = std::abs(factor) * size->slack;
     if (std::abs(size->stated - size->measured) > size->slack * (1 + definition::same_size))
-      found_.untrue.push_back("'" + size->text + "' of " + dimension.where + ": the part has " +
-                              format_rounded(size->measured, 6));
+      found_.untrue.push_back(name_of(dimension, view) + ": the part has " + format_rounded(size->measured, 6));
   }
 
-  void say(std::string name, std::vector<Row> rows, bool is_certain = true) {
+  void say(std::vector<Row> rows, bool is_certain = true) {
     std::erase_if(rows, [](const Row& row) { return row.empty(); });
-    if (!rows.empty()) found_.statements.push_back({std::move(name), std::move(rows), is_certain});
+    if (!rows.empty()) found_.statements.push_back({"", std::move(rows), is_certain});
   }
 
   // Of "3×": for certain if there are no more than three things that it can mean.
-  void say_one_of(const std::string& name, std::vector<Candidate> candidates, int repeats) {
+  void say_one_of(std::vector<Candidate> candidates, int repeats) {
     const bool is_certain = rank_of(candidates, all_faces()) <= repeats;
     std::vector<Row> rows;
     for (Candidate& candidate : candidates) rows.push_back(definition::tidy(std::move(candidate.row)));
-    say(name, std::move(rows), is_certain);
+    say(std::move(rows), is_certain);
   }
 
   void read_overall(const AnchoredDimension& dimension) {
     const int axis = axis_of(*dimension.direction);
     const Vec3 along = Mat3(1)[axis];
-    say(dimension.where, measured_.lengths(dimension.points[0], dimension.points[1], along));
+    say(measured_.lengths(dimension.points[0], dimension.points[1], along));
   }
 
   void read_length(const AnchoredDimension& dimension, const DimensionsInView& view) {
@@ -184,7 +173,7 @@ class Reader {
     if (repeats > 1 && dimension.text.find('=') != std::string::npos)
       for (int i = 1; i < repeats; ++i)
         rows.push_back(measured_.length(points[0], points[0] + double(i) / repeats * (points[1] - points[0]), *along));
-    say(dimension.where, std::move(rows));
+    say(std::move(rows));
     if (dimension.text.find("45°") != std::string::npos) say_chamfer(dimension, *along, view.projection.n);
     if (dimension.text.find("45°") != std::string::npos ||
         (repeats > 1 && dimension.text.find('=') == std::string::npos))
@@ -197,7 +186,7 @@ class Reader {
     const int fixed = measured_.face_along(along);
     if (row.empty() || fixed < 0) return;
     definition::add(row, unknowns_.turn(fixed, sight), -1);
-    say(dimension.where, {definition::tidy(std::move(row))});
+    say({definition::tidy(std::move(row))});
   }
 
   // Lengths of the same value, and slopes between them, wherever they are: as "4×" may say.
@@ -227,22 +216,31 @@ class Reader {
       add_turns(rows, face);
       ++sloped;
     }
-    say(dimension.where, std::move(rows), is_chamfer && sloped <= repeats_of(dimension.text));
-    if (!is_chamfer) say_of_equal_widths(dimension, value);
+    say(std::move(rows), is_chamfer && sloped <= repeats_of(dimension.text));
+    if (is_chamfer) return;
+    say_of_equal_widths(dimension, value);
+    say_of_equal_distances(dimension, value);
+  }
+
+  // Of parallel axes.
+  void say_of_equal_distances(const AnchoredDimension& dimension, double distance) {
+    std::vector<Candidate> found;
     for (int face = 0; face < static_cast<int>(count_); ++face)
-      for (int other = 0; other < face; ++other)
-        if (surface(face).kind == SurfaceKind::cylinder && surface(other).kind == SurfaceKind::cylinder &&
-            features::are_parallel(surface(face).axis, surface(other).axis)) {
-          const Vec3 off = unknowns_.anchor(face) - unknowns_.anchor(other);
-          const Vec3 across = off - glm::dot(off, surface(face).axis) * surface(face).axis;
-          if (!agree(glm::length(across), value)) continue;
-          const Vec3 at = unknowns_.anchor(other) + across;
-          say(dimension.where,
-              {definition::length(unknowns_, part_,
-                                  {End{unknowns_.anchor(other), {other}, true}, End{at, {face}, true}},
-                                  glm::normalize(across), -1)},
-              false);
-        }
+      for (int other = 0; other < face; ++other) {
+        if (surface(face).kind != SurfaceKind::cylinder || surface(other).kind != SurfaceKind::cylinder ||
+            !features::are_parallel(surface(face).axis, surface(other).axis))
+          continue;
+        const Vec3 &axis = surface(face).axis, &from = unknowns_.anchor(other);
+        const Vec3 off = unknowns_.anchor(face) - from, across = off - glm::dot(off, axis) * axis;
+        if (!agree(glm::length(across), distance)) continue;
+        found.push_back(
+            {definition::length(unknowns_, part_, {End{from, {other}, true}, End{from + across, {face}, true}},
+                                glm::normalize(across), -1),
+             measured_.axis_through(from + across, axis), measured_.axis_through(from, axis)});
+      }
+    check(std::all_of(found.begin(), found.end(), [](const Candidate& one) { return one.one != one.other; }),
+          "a distance is between two axes");
+    say_one_of(std::move(found), repeats_of(dimension.text));
   }
 
   // Equal widths of turned rectangles. Where each of these is, their centre lines may say.
@@ -266,19 +264,19 @@ class Reader {
     check(places.size() == 2 * rows.size(), "each width has two sides");
     const auto pairs = static_cast<int>(rows.size());
     if (pairs < 2) return;
-    say(dimension.where, std::move(rows), pairs <= repeats_of(dimension.text));
-    say(dimension.where, std::move(places), false);
+    say(std::move(rows), pairs <= repeats_of(dimension.text));
+    say(std::move(places), false);
   }
 
   // What a table says of a hole beside its place: sizes and depths around its axis. Its text is not read.
-  void say_by_table(const AnchoredDimension& dimension, const WorldCircle& circle) {
+  void say_by_table(const WorldCircle& circle) {
     std::vector<Row> rows;
     for (int face = 0; face < static_cast<int>(count_); ++face)
       for (const UnknownKind size : {UnknownKind::radius, UnknownKind::angle})
         if (measured_.is_around(face, circle)) rows.push_back(unknowns_.growth(face, size));
     const std::vector<Vec3> rims = rims_around(circle);
     for (const Vec3& rim : rims) rows.push_back(measured_.length(rims.front(), rim, circle.axis));
-    say(dimension.where, std::move(rows), false);
+    say(std::move(rows), false);
   }
 
   // All angles of a face.
@@ -302,12 +300,12 @@ class Reader {
     const Row other = measured_.turn_of_leg(at[0], at[2], sight);
     if (!row.empty() && !other.empty()) {
       definition::add(row, other, -1);
-      say(dimension.where, {definition::tidy(std::move(row))});
+      say({definition::tidy(std::move(row))});
     }
     if (const int repeats = repeats_of(dimension.text); repeats > 1) {
       const double cosine = glm::dot(glm::normalize(at[1] - at[0]), glm::normalize(at[2] - at[0]));
-      say_one_of(dimension.where, equal_angles(std::acos(cosine)), repeats);
-      say_one_of(dimension.where, equal_angles_about(dimension, sight, std::acos(cosine)), repeats);
+      say_one_of(equal_angles(std::acos(cosine)), repeats);
+      say_one_of(equal_angles_about(dimension, sight, std::acos(cosine)), repeats);
     }
   }
 
@@ -391,19 +389,18 @@ class Reader {
       own.push_back(std::move(rim));
       if (dimension.is_label)
         for (int axis = 0; axis < 3; ++axis)
-          if (std::abs(circle.axis[axis]) <= features::parallel) say_place(dimension.where, circle.centre, axis);
+          if (std::abs(circle.axis[axis]) <= features::parallel) say_place(circle.centre, axis);
     }
-    say(dimension.where, std::move(own));
+    say(std::move(own));
     if (dimension.is_label)
-      for (const WorldCircle& circle : dimension.circles) say_by_table(dimension, circle);
+      for (const WorldCircle& circle : dimension.circles) say_by_table(circle);
     const bool is_radius = dimension.type == DimensionType::radius;
-    if (is_radius || repeats > 1)
-      say(dimension.where, std::move(equal), is_radius || static_cast<int>(lines.size()) <= repeats);
+    if (is_radius || repeats > 1) say(std::move(equal), is_radius || static_cast<int>(lines.size()) <= repeats);
     if (!dimension.circles.empty()) read_note(dimension);
   }
 
   // A table gives places from one end of the models, where a plane or the axis of the whole is.
-  void say_place(const std::string& name, const Vec3& centre, int axis) {
+  void say_place(const Vec3& centre, int axis) {
     const Vec3 along = Mat3(1)[axis];
     std::optional<Vec3> from;
     for (std::size_t i = 0; i < count_; ++i)
@@ -411,27 +408,29 @@ class Reader {
                                                            features::are_parallel(one.axis, along) &&
                                                            (!from || (*from)[axis] > one.origin[axis]))
         from = one.origin;
-    if (from) say(name, {measured_.length(*from, centre, along)});
+    if (from) say({measured_.length(*from, centre, along)});
   }
 
   // What stands behind a diameter: depths, counterbores, countersinks and threads of faces around the axis, and for
   // "4×" around all axes with the same circle. Nothing else than its size tells which face a number means.
   void read_note(const AnchoredDimension& dimension) {
-    const std::vector<double> numbers = numbers_in(dimension.text);
+    const std::vector<NotedNumber> numbers = noted_numbers(dimension.text, notation_);
     const std::vector<WorldCircle> circles = equal_circles(dimension);
     const bool are_all = static_cast<int>(circles.size()) <= repeats_of(dimension.text);
     for (const WorldCircle& one : circles) {
-      for (const double number : numbers) {
+      for (const NotedNumber& number : numbers) {
         std::vector<Row> rows;
-        add_depths(rows, one, number);
-        add_sizes(rows, one, number);
+        if (number.kind == NumberKind::any || number.kind == NumberKind::depth) add_depths(rows, one, number.value);
+        if (number.kind == NumberKind::any || number.kind == NumberKind::diameter)
+          add_diameters(rows, one, number.value);
+        if (number.kind == NumberKind::any || number.kind == NumberKind::degrees) add_angles(rows, one, number.value);
         const bool is_only = rows.size() == 1;
-        say(dimension.where, std::move(rows), are_all && is_only);
+        say(std::move(rows), are_all && is_only);
       }
       std::vector<Row> rows;
       if (dimension.text.find('M') != std::string::npos || dimension.text.find('G') != std::string::npos)
         add_thread(rows, one);
-      say(dimension.where, std::move(rows), false);
+      say(std::move(rows), false);
     }
   }
 
@@ -498,10 +497,21 @@ class Reader {
     }
   }
 
+  // Within its borders; a surface goes on beyond them.
+  [[nodiscard]] bool reaches(int face, const Vec3& place) const {
+    Box box;
+    for (const definition::Contact& contact : part_.contacts)
+      if (contact.faces[0] == face || contact.faces[1] == face)
+        for (const Vec3& point : contact.points) box.add(point);
+    const Vec3 slack(definition::good_base * part_.size);
+    return glm::all(glm::greaterThanEqual(place, box.min - slack)) &&
+           glm::all(glm::lessThanEqual(place, box.max + slack));
+  }
+
   // Whether a round face is perpendicular to a direction at a place.
   [[nodiscard]] bool is_on_round_face(const Vec3& place, const Vec3& along) const {
     for (int face = 0; face < static_cast<int>(count_); ++face) {
-      if (!world::is_round(surface(face).kind)) continue;
+      if (!world::is_round(surface(face).kind) || !reaches(face, place)) continue;
       const surfaces::Nearness near = surfaces::nearness_of(surface(face), place);
       if (std::abs(near.distance) <= slack_ && near.normal != Vec3(0) && features::are_parallel(near.normal, along))
         return true;
@@ -509,21 +519,37 @@ class Reader {
     return false;
   }
 
-  void add_sizes(std::vector<Row>& rows, const WorldCircle& circle, double number) const {
+  // Of round faces, and of the ends of cones.
+  void add_diameters(std::vector<Row>& rows, const WorldCircle& circle, double diameter) const {
+    std::vector<double> done;  // places of ends along the axis
+    for (int face = 0; face < static_cast<int>(count_); ++face)
+      if (measured_.is_around(face, circle))
+        if (Row row = measured_.size(face, diameter / 2); !row.empty()) rows.push_back(std::move(row));
+    for (const definition::Contact& contact : part_.contacts) {
+      if (std::none_of(contact.faces.begin(), contact.faces.end(), [&](int face) {
+            return surface(face).kind == SurfaceKind::cone && measured_.is_around(face, circle);
+          }))
+        continue;
+      const Vec3& rim = contact.points.front();
+      const double at = glm::dot(rim - circle.centre, circle.axis);
+      const bool is_done =
+          std::any_of(done.begin(), done.end(), [&](double one) { return std::abs(one - at) <= slack_; });
+      if (is_done || !measured_.are_alike(2 * features::distance_from_line(rim, circle.centre, circle.axis), diameter))
+        continue;
+      rows.push_back(measured_.rim({circle.centre + at * circle.axis, circle.axis, diameter / 2, {}, true}));
+      done.push_back(at);
+    }
+    std::erase_if(rows, [](const Row& row) { return row.empty(); });
+    check(done.size() <= part_.contacts.size(), "an end of a cone counts once");
+  }
+
+  // Of cones, between opposite sides or between a side and the axis.
+  void add_angles(std::vector<Row>& rows, const WorldCircle& circle, double angle) const {
     for (int face = 0; face < static_cast<int>(count_); ++face) {
-      if (!measured_.is_around(face, circle)) continue;
-      if (Row row = measured_.size(face, number / 2); !row.empty()) rows.push_back(std::move(row));
-      if (surface(face).kind != SurfaceKind::cone) continue;
+      if (surface(face).kind != SurfaceKind::cone || !measured_.is_around(face, circle)) continue;
       const double half = std::atan(std::abs(surface(face).slope)) * degrees;
-      if (measured_.are_alike(2 * half, number) || measured_.are_alike(half, number))
+      if (measured_.are_alike(2 * half, angle) || measured_.are_alike(half, angle))
         rows.push_back(unknowns_.growth(face, UnknownKind::angle));
-      for (const Vec3& rim : rims_around(circle))
-        if (measured_.are_alike(2 * features::distance_from_line(rim, circle.centre, circle.axis), number))
-          rows.push_back(measured_.rim({circle.centre + glm::dot(rim - circle.centre, circle.axis) * circle.axis,
-                                        circle.axis,
-                                        number / 2,
-                                        {},
-                                        true}));
     }
   }
 
@@ -540,6 +566,7 @@ class Reader {
   std::size_t count_;  // of faces of the model
   const definition::Directions& directions_;
   const definition::Unknowns& unknowns_;
+  const Notation& notation_;
   MeasuredFaces measured_;
   double slack_;
   FaceStatements found_;

@@ -131,8 +131,12 @@ std::vector<Row> MeasuredFaces::lengths(const Vec3& from, const Vec3& to, const 
         second.at -= glm::dot(off, axis) * axis;
         off = second.at - first.at;
       }
-      if (direction < 0 && glm::length(glm::cross(off, along)) > slack_) continue;
-      if (Row row = definition::length(unknowns_, part_, {first, second}, along, direction); !row.empty())
+      const Vec3 aside = off - glm::dot(off, along) * along;
+      const bool is_aside = glm::length(aside) > slack_;
+      // What no face has as its direction turns with one that is square to it.
+      const int turning = direction < 0 && is_aside ? face_along(glm::normalize(aside)) : direction;
+      if (turning < 0 && is_aside) continue;
+      if (Row row = definition::length(unknowns_, part_, {first, second}, along, turning); !row.empty())
         rows.push_back(std::move(row));
     }
   check(rows.size() <= ends[0].size() * ends[1].size(), "a length is between two ends");

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <string_view>
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "scene/choices.hpp"
 #include "sizes/equal_features.hpp"
 #include "sizes/place_joins.hpp"
 
@@ -40,6 +42,15 @@ std::optional<Number> only_number(std::string text) {
   return Number{value, point == std::string_view::npos ? 0 : static_cast<int>(number.size() - point - 1)};
 }
 
+// By the signs before and behind it.
+NumberKind kind_of(std::string_view before, std::string_view behind, const Notation& notation) {
+  while (before.ends_with(" ")) before.remove_suffix(1);
+  if (behind.starts_with("°")) return NumberKind::degrees;
+  if (before.ends_with("↧")) return NumberKind::depth;
+  const bool is_own = !notation.diameter.empty() && before.ends_with(notation.diameter);
+  return is_own || before.ends_with("⌀") || before.ends_with("Ø") ? NumberKind::diameter : NumberKind::any;
+}
+
 // Millimetres or degrees.
 std::optional<double> measured_size(const AnchoredDimension& dimension, const DimensionsInView& view) {
   const std::vector<Vec3>& at = dimension.points;
@@ -59,6 +70,29 @@ std::optional<double> measured_size(const AnchoredDimension& dimension, const Di
 }
 
 }  // namespace
+
+std::vector<NotedNumber> noted_numbers(std::string text, const Notation& notation) {
+  if (repeats_of(text) > 1) text.erase(0, text.find("×"));
+  if (notation.sign == DecimalSign::comma) std::replace(text.begin(), text.end(), ',', '.');
+  const auto is_digit = [&text](std::size_t i) {
+    return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) != 0;
+  };
+  std::vector<NotedNumber> numbers;
+  for (std::size_t i = 0; i < text.size();) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data() + i, text.data() + text.size(), value);
+    const bool is_number = error == std::errc() && (is_digit(i) || (text[i] == '.' && is_digit(i + 1)));
+    const std::size_t behind = is_number ? static_cast<std::size_t>(end - text.data()) : i + 1;
+    if (is_number) {
+      const std::string_view all = text;
+      const NumberKind kind = kind_of(all.substr(0, i), all.substr(behind), notation);
+      numbers.push_back({kind == NumberKind::degrees ? value : value * scene::millimetres(notation.unit), kind});
+    }
+    check(behind > i, "each step goes on in the text");
+    i = behind;
+  }
+  return numbers;
+}
 
 std::optional<StatedSize> stated_size(const AnchoredDimension& dimension, const DimensionsInView& view) {
   std::optional<Number> number = only_number(dimension.text);

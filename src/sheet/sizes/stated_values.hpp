@@ -1,13 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a text states instead of the measured value.
+// What a text states instead of the measured value, or beside it.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "sheet/notation.hpp"
 #include "sizes/coverage.hpp"
 
 namespace epura::sheet {
+
+enum class NumberKind { any, diameter, depth, degrees };
+
+struct NotedNumber {
+  double value;  ///< millimetres or degrees
+  NumberKind kind;
+};
+
+/// All numbers of a note, without the count before "×" at its beginning; their kind by the signs before and behind
+/// them.
+std::vector<NotedNumber> noted_numbers(std::string text, const Notation& notation);
 
 /// Lengths, radii and diameters in mm, angles in degrees.
 struct StatedSize {

@@ -72,6 +72,22 @@ TEST_F(Define, NeedsNoOption) {
   EXPECT_TRUE(contains(run.out, "7 of 7 faces are found again")) << run.out;
 }
 
+// By what a reader finds on the sheet: no face begins or ends at 7 or 13.
+TEST_F(Define, NamesDimensionsByTextAndView) {
+  folder_.file("part.obj", sloped);
+  const std::string scene =
+      "[[model]]\nfile = 'part.obj'\n[[view]]\nprojection = 'front'\n[[view]]\nprojection = 'top'\n[[dimension]]\n"
+      "type = 'overall'\n[[dimension]]\ntype = 'linear'\nview = 'front'\ndirection = 'horizontal'\n"
+      "from = {point = [7, 0, 10]}\nto = {point = [13, 0, 10]}\n[[dimension]]\ntype = 'linear'\nview = 'top'\n"
+      "direction = 'horizontal'\nfrom = {point = [0, 0, 10]}\nto = {point = [50, 0, 10]}\ntext = '51'\n";
+  const std::string file = folder_.file("a.toml", scene);
+  const Outcome run = epura({"define", "--rebuild", file}, folder_ / "");
+  EXPECT_TRUE(contains(run.out, "cannot tell: what '6' in view 'front' measures")) << run.out << run.err;
+  const Outcome lint = epura({"lint", file}, folder_ / "");
+  EXPECT_TRUE(contains(lint.out, "nobody can tell what this says of them: '6' in view 'front'")) << lint.out;
+  EXPECT_TRUE(contains(lint.out, "'51' in view 'top': the part has 50")) << lint.out;
+}
+
 TEST_F(Define, IsRefusedWhereItCannotTell) {
   const Outcome faceless = define(sloped, {"--surfaces", "mesh"});
   EXPECT_EQ(faceless.code, 2) << faceless.out;
