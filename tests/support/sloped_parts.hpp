@@ -95,7 +95,7 @@ inline std::vector<KnownPart> rounded_trapezia() {
 inline std::vector<KnownPart> slopes_of_plain_angles() {
   std::vector<KnownPart> parts;
   for (int i = 0; i < variants; ++i) {
-    const double w = 80 + i, h = 40, turn = 20 + 2.5 * i, tangent = sine(turn) / cosine(turn), top = 20 + i;
+    const double w = 80 + i, h = 40, turn = 20 + i + 0.5 * (i % 2), tangent = sine(turn) / cosine(turn), top = 20 + i;
     const std::string degrees = number(turn) + "°";
     parts.push_back({"a cut corner of " + degrees,
                      block({{0, 0}, {w, 0}, {w, h}, {14 * tangent, h}, {0, h - 14}}, 12),
@@ -401,7 +401,7 @@ inline std::string wedge_with_holes(double length, double degrees, int count, do
 inline std::vector<KnownPart> wedges_with_holes() {
   std::vector<KnownPart> parts;
   for (int i = 0; i < variants; ++i) {
-    const double length = 60 + 3 * i, degrees = 12 + i;
+    const double length = 60 + 3 * i, degrees = 12 + 0.5 * i;
     const int count = 1 + i % 3;
     KnownPart part{"holes in a slope of " + number(degrees), wedge_with_holes(length, degrees, count, 8), {}};
     part.texts = {number(length * cosine(degrees)), "24", "18", "12", number(90 - degrees) + "°"};

@@ -198,7 +198,7 @@ inline std::vector<KnownPart> chamfered_hexagons() {
 inline std::vector<KnownPart> wedges_with_pairs() {
   std::vector<KnownPart> parts;
   for (int i = 0; i < variants; ++i) {
-    const double length = 60 + 3 * i, degrees = 12 + i;
+    const double length = 60 + 3 * i, degrees = 12 + 0.5 * i;
     const int count = 1 + i % 2;
     KnownPart part{"pairs in a slope of " + number(degrees), wedge_with_holes(length, degrees, count, 8, {3, 2.5}), {}};
     const std::string many = count > 1 ? number(count) + "× " : "";

@@ -73,7 +73,7 @@ class CornerTree {
   /// Whether `is(corner)` holds for a corner in a triangle that turns left; corners near it may be tested as well.
   template <class Is>
   [[nodiscard]] bool any_in(const std::array<Vec2, 3>& triangle, const Is& is) const {
-    const auto& [a, b, c] = triangle;
+    const Vec2 &a = triangle[0], &b = triangle[1], &c = triangle[2];
     const Vec2 min = glm::min(a, glm::min(b, c)), max = glm::max(a, glm::max(b, c));
     const search::Bounds<2> around{{{min.x, max.x}, {min.y, max.y}}};
     const auto may_hold = [&](const search::Bounds<2>& box) {

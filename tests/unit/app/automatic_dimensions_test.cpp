@@ -302,9 +302,9 @@ TEST_F(AutomaticDimensions, LintAdvisesToDrawThePartsOfMachines) {
   const std::string part = folder.file("machine.obj", machine(24));
   EXPECT_TRUE(contains(lint(part, "overall").out, hint));
   EXPECT_FALSE(contains(lint(folder.file("machine.obj", machine(12)), "overall").out, "draw the parts"));
-  folder.file("machine.obj", machine(60));
+  folder.file("machine.obj", machine(24));
   const Outcome small = epura({"lint", part, "--views", "front,top,left", "--dimensions", "auto", "--sheet", "A4",
-                               "--frame", "none", "--scale", "1:1"},
+                               "--frame", "none", "--transform", "scale:1234.5", "--scale", "1:1000"},
                               folder / "");
   static const std::regex row("left out: '[^']{40,70} and \\d+ others'");
   EXPECT_TRUE(std::regex_search(small.err, row)) << small.err;

@@ -28,7 +28,8 @@ TEST(Limits, OfMemoryAreSaid) {
       const Outcome run = epura(
           {"draw", sample("sombrero.obj"), "--edges", "contour,boundary,smooth", "--threads", threads, "-o", "x.svg"},
           folder / "", {}, limits);
-      if (run.code == 127) continue;  // not even begun
+      // Not even begun: the loader of glibc fails, or ends with a fault of its own where threads have no memory.
+      if (run.code == 127 || (run.code == 139 && epura({"--version"}, folder / "", {}, limits).code == 139)) continue;
       expect_sound(run, limits);
       was_enough = was_enough || run.code == 0;
     }
