@@ -365,9 +365,9 @@ MeasuredDimension overall(const AnchoredDimension& dimension, const Sight& sight
   complete_half(whole_ends, breaks, along);
   const double drawn = glm::dot(whole_ends[1] - whole_ends[0], along) / glm::length(image);
   // Lines of a mesh end where the mesh does; lines of its surfaces may reach as far as the surfaces. At either end, a
-  // line may be drawn slightly displaced, or replaced by another.
-  const double beside =
-      2 * (sight.drawing.distances.contours_moved + sight.drawing.distances.joined_within) / glm::length(image);
+  // line may be drawn slightly displaced, replaced by another, or too near to another one to be told apart.
+  const drawing::LineDistances& off = sight.drawing.distances;
+  const double beside = 2 * (off.contours_moved + off.joined_within + off.coincident) / glm::length(image);
   const double least = value - dimension.beyond_vertices - dimension.unevenness - beside;
   if (sight.drawing.segments.empty() || drawn < least - whole_ink * value || drawn > value + beside + whole_ink * value)
     refuse_measure(dimension, "the view does not show all of the models along this axis",

@@ -146,7 +146,8 @@ FreeFaces find_free_faces(std::span<const DimensionsInView> views, const world::
     found.undecided.push_back("whether " + of_faces(free) +
                               " can move, for nobody can tell what this says of them: " + listed(said.unread));
   if (uncertain > 0 || !account.is_certain)
-    found.undecided.push_back("whether the texts of dimensions hold " + of_faces(uncertain));
+    found.undecided.push_back("whether the texts of dimensions hold " +
+                              (uncertain > 0 ? of_faces(uncertain) : "the part, a motion of which they hardly change"));
   found.untrue = said.untrue;
   found.repeated = repeated_in(account, said, {views, said, notation});
   for (const std::vector<int>& list : account.contradictory) {

@@ -32,6 +32,18 @@ std::string box(const Vec3& low, const Vec3& high, int first) {
   return text;
 }
 
+// A crumb on a plate of 100 m is within the precision of the view: no line shows it.
+TEST(AssemblyDimensions, OverAllIncludeWhatIsTooSmallToSee) {
+  const Folder folder;
+  folder.file("two.obj",
+              box({0, 0, 0}, {100000, 60000, 100}, 1) + box({50000, 30000, 100}, {50000.01, 30000.01, 100.01}, 9));
+  const Outcome run =
+      epura({"draw", "two.obj", "--unit", "mm", "--views", "front,top", "--dimensions", "overall", "-o", "x.svg"},
+            folder / "");
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(sorted(dimensions_in(read_file(folder / "x.svg"))), sorted({"100.01", "100000", "60000"}));
+}
+
 // A part has its place where it begins, once; its size is for its own drawing.
 TEST(AssemblyDimensions, AreOverallSizesAndPlacesOfParts) {
   const Folder folder;
