@@ -35,7 +35,7 @@ class Arrangement {
         min = glm::min(min, p);
         max = glm::max(max, p);
       }
-    same_ = same_outline * glm::length(max - min);
+    same_ = rounding_of_corners * glm::length(max - min);
     std::vector<int> numbers;
     for (const Vec2& p : over.places) numbers.push_back(number_of(p));
     for (const auto& ends : under.segments) own_.push_back(divided(ends));
@@ -101,7 +101,7 @@ class Arrangement {
     for (const int end : other.ends) divide(one, end);
     for (const int end : one.ends) divide(other, end);
     const double turn = cross(b - a, d - c);
-    if (std::abs(turn) <= same_outline * glm::length(b - a) * glm::length(d - c)) return;
+    if (std::abs(turn) <= rounding_of_corners * glm::length(b - a) * glm::length(d - c)) return;
     const double s = cross(c - a, d - c) / turn, t = cross(c - a, b - a) / turn;
     if (s <= 0 || s >= 1 || t <= 0 || t >= 1) return;
     const int place = number_of(a + s * (b - a));

@@ -76,7 +76,7 @@ Trace make_trace(const scene::SectionDescription& section, const Vec3& normal) {
   if (path.size() > max_points_of_path)
     refuse("the path has " + std::to_string(path.size()) + " points, allowed are " + std::to_string(max_points_of_path),
            "draw one section for each part of the path");
-  Trace trace{where, path, normal, Vec3(0), rounding_of_path * size_of(path)};
+  Trace trace{where, path, normal, Vec3(0), rounding_of_corners * size_of(path)};
   if (!(trace.least > 0)) refuse("all points of the path are the same", "give the corners of the cutting-plane line");
   Vec3 across(0);
   for (std::size_t i = 1; i < path.size() && !(glm::length(across) > trace.least); ++i) {
@@ -137,7 +137,7 @@ std::vector<Leg> straight_legs(const Trace& trace) {
     if (!(glm::distance(at, to) > trace.least))
       throw Error(ErrorKind::input, trace.where, corner_text(i + 1) + " is the same as the one before it", "remove it");
     const Leg leg{at, glm::normalize(to - at), glm::distance(at, to), i};
-    const bool goes_on = !legs.empty() && glm::distance(legs.back().along, leg.along) <= rounding_of_path;
+    const bool goes_on = !legs.empty() && glm::distance(legs.back().along, leg.along) <= rounding_of_corners;
     if (goes_on)
       legs.back().length += leg.length;
     else
@@ -151,8 +151,8 @@ std::vector<Leg> without_steps(const std::vector<Leg>& legs) {
   std::vector<Leg> planes;
   for (std::size_t i = 0; i < legs.size(); ++i) {
     const bool is_step = i > 0 && i + 1 < legs.size() &&
-                         glm::distance(legs[i - 1].along, legs[i + 1].along) <= rounding_of_path &&
-                         std::abs(glm::dot(legs[i].along, legs[i - 1].along)) <= rounding_of_path;
+                         glm::distance(legs[i - 1].along, legs[i + 1].along) <= rounding_of_corners &&
+                         std::abs(glm::dot(legs[i].along, legs[i - 1].along)) <= rounding_of_corners;
     if (!is_step) planes.push_back(legs[i]);
   }
   return planes;
@@ -162,7 +162,7 @@ std::vector<Leg> without_steps(const std::vector<Leg>& legs) {
 bool cross_each_other(const std::vector<Leg>& legs, std::size_t i, std::size_t j) {
   const Leg &a = legs[i], &b = legs[j];
   const double turn = cross(a.along, b.along);
-  if (std::abs(turn) <= rounding_of_path) return false;
+  if (std::abs(turn) <= rounding_of_corners) return false;
   const double on_a = cross(b.at - a.at, b.along) / turn, on_b = cross(b.at - a.at, a.along) / turn;
   return (i == 0 || on_a >= 0) && on_a <= a.length && on_b >= 0 && (j + 1 == legs.size() || on_b <= b.length);
 }
@@ -175,7 +175,7 @@ void expect_axes(const Trace& trace, const std::vector<Leg>& legs) {
     refuse("the path of the aligned section has no corner, so there is no axis to turn a plane about",
            "give a corner in which two planes meet, such as a point of the axis of a round part, or omit 'aligned'");
   for (std::size_t i = 0; i + 1 < legs.size(); ++i) {
-    if (glm::distance(legs[i].along, -legs[i + 1].along) <= rounding_of_path)
+    if (glm::distance(legs[i].along, -legs[i + 1].along) <= rounding_of_corners)
       refuse("the path goes back on itself at " + corner_text(legs[i + 1].corner), "give its points in one direction");
     for (std::size_t j = i + 2; j < legs.size(); ++j)
       if (cross_each_other(legs, i, j))
@@ -231,7 +231,7 @@ Mat4 in_world(const Turn& turn, const Trace& trace) {
 // Makes a region of each leg that is no step: what is perpendicular to it.
 void align(CuttingSurface& surface, Trace& trace) {
   std::vector<Leg> legs = straight_legs(trace);
-  const auto is_ahead = [&](const Leg& leg) { return std::abs(leg.along.y) <= rounding_of_path; };
+  const auto is_ahead = [&](const Leg& leg) { return std::abs(leg.along.y) <= rounding_of_corners; };
   const auto found = std::find_if(legs.begin(), legs.end(), is_ahead);
   if (found != legs.end() && found->along.x < 0) {
     trace.along = -trace.along;

@@ -14,7 +14,8 @@ namespace epura::cut {
 
 /// Of computed distances, as a part of the world's size. Narrower gaps are rounding errors, and are not reported.
 inline constexpr double rounding_part = 0x1p-44;
-inline constexpr double rounding_of_path = 1e-9;  ///< of a path's corners, as a part of its size
+/// Of corners of a path or of outlines in a plane, as a part of its size: nearer ones are one.
+inline constexpr double rounding_of_corners = 1e-9;
 
 // Outlines on surfaces
 
@@ -35,9 +36,7 @@ inline constexpr double min_room = 3;      ///< distance to the next end, as a m
 
 /// Of the smaller cut face, in common: facets of a shaft and of its bore overlap by less.
 inline constexpr double least_overlap = 0.005;
-/// Of the whole size: parts of outlines nearer to each other are one.
-inline constexpr double same_outline = 1e-9;
-/// From an outline, as a multiple of that: where it is asked on which side an area is.
+/// From an outline, in roundings of corners: where it is asked on which side an area is.
 inline constexpr double beside_outline = 10;
 
 // Paths of sections

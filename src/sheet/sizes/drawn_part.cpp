@@ -83,6 +83,9 @@ struct Pair {
   double width, middle;  // from the origin, along the normal
 };
 
+// Of equal widths, those of earlier faces come first.
+bool is_narrower(const Pair& a, const Pair& b) { return std::tie(a.width, a.faces) < std::tie(b.width, b.faces); }
+
 bool are_at_60_degrees(const Vec3& a, const Vec3& b) {
   return std::abs(std::abs(glm::dot(a, b)) - 0.5) <= features::parallel;  // its cosine
 }
@@ -118,7 +121,7 @@ class ParallelPlanes {
         for (; at != parallel.places.end() && at->first <= other + 2 * slack; ++at)
           if (at->first - place > slack_) pairs.push_back(pair_of(parallel, {place, face}, *at));
       }
-      sort(pairs);
+      std::sort(pairs.begin(), pairs.end(), is_narrower);
       if (!pairs.empty()) found.push_back(std::move(pairs));
     }
     check(found.size() <= all_.size(), "each direction has its pairs once");
@@ -137,7 +140,7 @@ class ParallelPlanes {
           if (one.places[i].first - one.places[j].first > slack_)
             pairs.push_back(pair_of(one, one.places[j], one.places[i]));
     }
-    sort(pairs);
+    std::sort(pairs.begin(), pairs.end(), is_narrower);
     return pairs;
   }
 
@@ -161,12 +164,6 @@ class ParallelPlanes {
             drawn_.part.faces[static_cast<std::size_t>(first)].at,
             std::abs(one.first - other.first),
             sense * (one.first + other.first) / 2};
-  }
-
-  // Of equal widths, those of earlier faces come first.
-  static void sort(std::vector<Pair>& pairs) {
-    std::sort(pairs.begin(), pairs.end(),
-              [](const Pair& a, const Pair& b) { return std::tie(a.width, a.faces) < std::tie(b.width, b.faces); });
   }
 
   const DrawnPart& drawn_;
@@ -215,8 +212,7 @@ void add_middles(DrawnPart& drawn, const ParallelPlanes& planes, const Vec3& poi
   std::vector<Pair> nearest;  // of each direction, the narrowest ones first
   const auto is_across = [&](const Vec3& normal) { return std::abs(glm::dot(normal, along)) > features::parallel; };
   for (const std::vector<Pair>& pairs : planes.about(point, slack, is_across)) nearest.push_back(pairs.front());
-  std::sort(nearest.begin(), nearest.end(),
-            [](const Pair& a, const Pair& b) { return std::tie(a.width, a.faces) < std::tie(b.width, b.faces); });
+  std::sort(nearest.begin(), nearest.end(), is_narrower);
   if (nearest.empty()) return;
   const bool is_one = features::are_parallel(nearest.front().normal, along);
   nearest.resize(std::min<std::size_t>(nearest.size(), is_one ? 1 : 2));

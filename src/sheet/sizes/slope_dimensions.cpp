@@ -63,12 +63,11 @@ std::array<Vec3, 3> anchors_of_angle(const BevelFeature& slope, std::size_t end,
 }
 
 // Where a slope and a neighbour meet whose angle is dimensioned; nothing if positions are.
-std::optional<std::size_t> corner_of_angle(const BevelFeature& slope, const Planning& plan) {
-  if (has_angle(slope, plan.subject))
-    return slope.across[0] >= 0 && (slope.across[1] < 0 || is_outside(slope, 0, plan.subject)) ? 0 : 1;
-  const auto angled = angled_end(slope, plan.subject, plan.table, plan.notation);
-  if (!angled) return std::nullopt;
-  return slope.across[1 - angled->end] >= 0 ? 1 - angled->end : angled->end;
+std::optional<std::size_t> corner_of_angle(const BevelFeature& slope, const DimensionSubject& subject,
+                                           const std::optional<AngledEnd>& angled) {
+  if (angled) return slope.across[1 - angled->end] >= 0 ? 1 - angled->end : angled->end;
+  if (!has_angle(slope, subject)) return std::nullopt;
+  return slope.across[0] >= 0 && (slope.across[1] < 0 || is_outside(slope, 0, subject)) ? 0 : 1;
 }
 
 // Whether the number that is written for a length is its true size, to within `slack`.
@@ -197,13 +196,13 @@ Planned slope_dimensions(const Planning& plan) {
   for (std::size_t i = 0; i < std::min(slopes.size(), max_of_a_kind); ++i) {
     const NamedProjection* view = plan.views.along(Mat3(1)[slopes[i].along]);
     if (view == nullptr || slopes[i].area < min_area(plan.box)) continue;
-    if (const auto corner = corner_of_angle(slopes[i], plan)) {
+    const auto angled = angled_end(slopes[i], plan.subject, plan.table, plan.notation);
+    if (const auto corner = corner_of_angle(slopes[i], plan.subject, angled)) {
       planned.dimensions.push_back(plan.dimension(DimensionType::angular, *view, "<>"));
       for (const Vec3& anchor : anchors_of_angle(slopes[i], *corner, plan.subject.world))
         planned.dimensions.back().anchors.emplace_back(anchor);
-      if (has_angle(slopes[i], plan.subject)) continue;
+      if (!angled) continue;  // the angle stands for both ends
     }
-    const auto angled = angled_end(slopes[i], plan.subject, plan.table, plan.notation);
     for (int axis = 0; axis < 3; ++axis)
       for (const std::size_t end : {0U, 1U})
         if (const Vec3& at = slopes[i].ends[end];

@@ -29,6 +29,11 @@ const char* const sloped =
     "v 0 0 0\nv 60 0 0\nv 60 0 4\nv 50 0 10\nv 0 0 10\nv 0 40 0\nv 60 40 0\nv 60 40 4\nv 50 40 10\nv 0 40 10\n"
     "f 1 2 3 4 5\nf 10 9 8 7 6\nf 1 6 7 2\nf 2 7 8 3\nf 3 8 9 4\nf 4 9 10 5\nf 5 10 6 1\n";
 
+// The part in two views with its overall sizes, and the beginning of a length in the front view.
+const char* const front_length =
+    "[[model]]\nfile = 'part.obj'\n[[view]]\nprojection = 'front'\n[[view]]\nprojection = 'top'\n[[dimension]]\n"
+    "type = 'overall'\n[[dimension]]\ntype = 'linear'\nview = 'front'\ndirection = 'horizontal'\n";
+
 TEST_F(Define, FindsAPartAgainFromItsNumbers) {
   const Outcome run = define(sloped);
   EXPECT_EQ(run.code, 0) << run.out << run.err;
@@ -53,8 +58,7 @@ TEST_F(Define, NamesFacesThatNothingHolds) {
 TEST_F(Define, BelievesTexts) {
   folder_.file("part.obj", sloped);
   const std::string scene =
-      "[[model]]\nfile = 'part.obj'\n[[view]]\nprojection = 'front'\n[[view]]\nprojection = 'top'\n[[dimension]]\n"
-      "type = 'overall'\n[[dimension]]\ntype = 'linear'\nview = 'front'\ndirection = 'horizontal'\n"
+      std::string(front_length) +
       "from = {point = [0, 0, 10]}\nto = {point = [50, 0, 10]}\ntext = '51'\n[[dimension]]\ntype = 'linear'\n"
       "view = 'front'\ndirection = 'vertical'\nfrom = {point = [60, 0, 0]}\nto = {point = [60, 0, 4]}\n";
   const Outcome run =
@@ -76,8 +80,7 @@ TEST_F(Define, NeedsNoOption) {
 TEST_F(Define, NamesDimensionsByTextAndView) {
   folder_.file("part.obj", sloped);
   const std::string scene =
-      "[[model]]\nfile = 'part.obj'\n[[view]]\nprojection = 'front'\n[[view]]\nprojection = 'top'\n[[dimension]]\n"
-      "type = 'overall'\n[[dimension]]\ntype = 'linear'\nview = 'front'\ndirection = 'horizontal'\n"
+      std::string(front_length) +
       "from = {point = [7, 0, 10]}\nto = {point = [13, 0, 10]}\n[[dimension]]\ntype = 'linear'\nview = 'top'\n"
       "direction = 'horizontal'\nfrom = {point = [0, 0, 10]}\nto = {point = [50, 0, 10]}\ntext = '51'\n";
   const std::string file = folder_.file("a.toml", scene);
