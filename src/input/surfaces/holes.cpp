@@ -68,8 +68,8 @@ class HoleFinder {
         const PartSurface& step = part_.faces[next].surface;
         if (step.kind != SurfaceKind::plane || std::abs(glm::dot(step.axis, surface.axis)) < parallel_cosine) continue;
         // A large face has many neighbours and is not a step.
-        if (part_.faces[next].area > largest_section(faces)) continue;
-        for (const int behind : beside_[next]) take(behind);
+        for (const int behind : beside_[next])
+          if (part_.faces[next].area <= std::max(largest_section(faces), largest_section({behind}))) take(behind);
       }
     std::sort(faces.begin(), faces.end());
     return faces;

@@ -79,6 +79,14 @@ TEST(Holes, StepsAndCountersinksBelongTogether) {
   EXPECT_NEAR(glm::distance(holes[0].from, holes[0].to), 30, 1e-9);
 }
 
+// The narrow bore is found first: the face at its other end is no step, whichever comes first.
+TEST(Holes, AStepMayBeFarWiderThanTheBoreBehind) {
+  const auto holes = holes_of(revolved({{2, 0}, {30, 0}, {30, 45}, {9, 45}, {9, 40}, {2, 40}, {2, 0}}, 36));
+  ASSERT_EQ(holes.size(), 1U);
+  ASSERT_EQ(holes[0].diameters.size(), 2U);
+  EXPECT_NEAR(glm::distance(holes[0].from, holes[0].to), 45, 1e-9);
+}
+
 TEST(Holes, ShaftsAndFilletsAreNone) {
   EXPECT_TRUE(holes_of(revolved({{0, 0}, {5, 0}, {5, 8}, {0, 8}}, 24)).empty());
   EXPECT_TRUE(
