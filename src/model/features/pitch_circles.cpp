@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <tuple>
 #include <utility>
 
@@ -47,18 +48,28 @@ std::vector<Pattern> patterns_of(std::span<const CentredRound> features, std::sp
   return patterns;
 }
 
-// Whether the spokes lead to the corners of a rectangle that is not square: they form opposite pairs, but are not
-// perpendicular to each other.
+// Whether the spokes lead to three or four corners of a rectangle that is not square: rows and columns give their
+// places. Opposite spokes make one line; those of a square are perpendicular.
 bool is_oblong(const std::vector<Vec3>& spokes) {
-  if (spokes.size() != 4) return false;
+  if (spokes.size() != 3 && spokes.size() != 4) return false;
   const double radius = glm::length(spokes[0]);
-  int opposite = 0, square = 0;
-  for (std::size_t i = 1; i < 4; ++i) {
-    opposite += glm::length(spokes[0] + spokes[i]) <= 8 * same_size * radius ? 1 : 0;
-    square += std::abs(glm::dot(spokes[0], spokes[i])) <= 8 * same_size * radius * radius ? 1 : 0;
-  }
-  const Vec3 sum = spokes[0] + spokes[1] + spokes[2] + spokes[3];
-  return opposite == 1 && glm::length(sum) <= 8 * same_size * radius && square < 2;
+  int opposite = 0, perpendicular = 0;
+  for (std::size_t i = 0; i < spokes.size(); ++i)
+    for (std::size_t j = i + 1; j < spokes.size(); ++j) {
+      opposite += glm::length(spokes[i] + spokes[j]) <= 8 * same_size * radius ? 1 : 0;
+      perpendicular += std::abs(glm::dot(spokes[i], spokes[j])) <= 8 * same_size * radius * radius ? 1 : 0;
+    }
+  return 2 * opposite + 1 >= static_cast<int>(spokes.size()) && opposite > 0 && 2 * opposite != perpendicular;
+}
+
+// Whether all spokes are equally far from the next ones: none is nearer.
+bool are_even(const std::vector<Vec3>& spokes) {
+  const double radius = glm::length(spokes[0]);
+  const double next = std::cos(2 * std::numbers::pi / static_cast<double>(spokes.size())) + 8 * same_size;
+  for (std::size_t i = 0; i < spokes.size(); ++i)
+    for (std::size_t j = i + 1; j < spokes.size(); ++j)
+      if (glm::dot(spokes[i], spokes[j]) > next * radius * radius) return false;
+  return true;
 }
 
 // The circles about one hub on which holes of a pattern lie.
@@ -77,7 +88,9 @@ std::vector<PitchCircle> circles_about(std::span<const CentredRound> features, c
       spokes.push_back(spoke_to(features[by_distance[end].second], hub));
     }
     std::sort(circle.holes.begin(), circle.holes.end());
-    if (spokes.size() >= fewest_holes && radius > 0 && !is_oblong(spokes)) circles.push_back(std::move(circle));
+    if (spokes.size() < fewest_holes || !(radius > 0) || is_oblong(spokes)) continue;
+    // Of a grid, some holes are always on a circle about another one.
+    if (spokes.size() == pattern.size() || are_even(spokes)) circles.push_back(std::move(circle));
   }
   return circles;
 }

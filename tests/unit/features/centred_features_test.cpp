@@ -178,6 +178,10 @@ TEST(CentredFeatures, OtherHolesLieOnNone) {
   EXPECT_TRUE(features_of(flange({{30, 0}, {-30, 0}})).pitch_circles.empty());
   // Corners of a rectangle; a row; holes around one like themselves.
   EXPECT_TRUE(features_of(flange({{30, 60}, {-30, 60}, {-30, -60}, {30, -60}})).pitch_circles.empty());
+  // Nor do three of them, nor three of a square if the fourth hole is elsewhere: any three holes lie on a circle.
+  EXPECT_TRUE(features_of(flange({{30, 60}, {-30, 60}, {-30, -60}})).pitch_circles.empty());
+  EXPECT_TRUE(features_of(flange({{30, 30}, {-30, 30}, {-30, -30}, {30, 0}})).pitch_circles.empty());
+  EXPECT_TRUE(features_of(flange({{-30, 60}, {0, 60}, {30, 60}, {60, 30}})).pitch_circles.empty());
   EXPECT_TRUE(features_of(flange({{30, 0}, {60, 0}, {90, 0}})).pitch_circles.empty());
   EXPECT_TRUE(features_of(flange({{30, 0}, {0, 30}, {-30, 0}, {0, -30}}, 4)).pitch_circles.empty());
   // One is larger.
