@@ -171,6 +171,7 @@ class ExtentFinder {
       found[axis] = {-farthest_[axis], farthest_[axis + 3]};
       found[axis].interrupted = is_interrupted_[axis] || is_interrupted_[axis + 3];
       set_form(found[axis], axis);
+      found[axis].at_ends = {points_at(axis), points_at(axis + 3)};
     }
     return found;
   }
@@ -181,6 +182,25 @@ class ExtentFinder {
     Vec3 direction(0);
     direction[end % 3] = end < 3 ? -1 : 1;
     return direction;
+  }
+
+  [[nodiscard]] static double rise_of(const PartFace& face) {
+    return surfaces::max_sagittas * face.sagitta + face.residual;
+  }
+
+  [[nodiscard]] std::vector<Vec3> points_at(int end) const {
+    std::vector<char> taken(world_.points.size(), 0);
+    for (int model = 0; model < static_cast<int>(parts_.size()); ++model)
+      for (int t = world_.first_triangle[model]; t < world_.first_triangle[model + 1]; ++t) {
+        const int face = parts_[model] ? parts_[model]->face_of_triangle[t - world_.first_triangle[model]] : -1;
+        const double below = same_point * size_ + (face >= 0 ? rise_of(parts_[model]->faces[face]) : 0);
+        for (const int v : world_.triangles[t])
+          if (glm::dot(direction_of(end), world_.points[v]) >= farthest_[end] - below) taken[v] = 1;
+      }
+    std::vector<Vec3> points;
+    for (std::size_t v = 0; v < taken.size(); ++v)
+      if (taken[v] != 0) points.push_back(world_.points[v]);
+    return points;
   }
 
   static bool is_whole(const PartFace& face) {
@@ -286,7 +306,7 @@ class ExtentFinder {
 
   void add_facet(const PartFace& face, bool turned, int triangle) {
     const Triangle corners = corners_of(world_, triangle);
-    const double rise = surfaces::max_sagittas * face.sagitta + face.residual + same_point * size_;
+    const double rise = rise_of(face) + same_point * size_;
     for (int end = 0; end < 6; ++end) {
       const Vec3 direction = direction_of(end);
       double top = -HUGE_VAL;

@@ -17,6 +17,7 @@ struct Extent {
   ExtentForm form = ExtentForm::length;  ///< what determines both ends: anything, one shaft, one sphere
   Vec3 centre{0}, axis{0};               ///< of the shaft; a sphere has no axis
   bool interrupted = false;              ///< a slot or a gap between teeth is at an end, where nothing reaches as far
+  std::array<std::vector<Vec3>, 2> at_ends{};  ///< corners of the triangles there, within what facets deviate
 
   [[nodiscard]] double size() const { return to - from; }
   /// Whether both are the diameter of one shaft or sphere.

@@ -31,8 +31,13 @@ bool looks_from(const projection::Projection& projection, const Vec3& viewer) {
          glm::length(glm::normalize(projection.projector) - viewer) < along_axes;
 }
 
-// An aligned section keeps lengths along the axes of its turns, and diameters around one.
+// A section may leave out what reaches farthest. An aligned one keeps lengths along the axes of its turns, and
+// diameters around one.
 bool keeps_size(const NamedProjection& view, const PageDirection& direction, const features::Extent& extent) {
+  for (const std::vector<Vec3>& at_end : extent.at_ends)
+    if (!view.aligned() && !at_end.empty() &&
+        std::ranges::none_of(at_end, [&](const Vec3& point) { return keeps(view, point); }))
+      return false;
   return keeps_positions(view, axis_of(direction.direction)) ||
          (extent.form == features::ExtentForm::diameter && shows_in_place(view, extent.centre, extent.axis));
 }

@@ -64,6 +64,23 @@ TEST_F(ViewSections, HaveLettersOfTheirOwn) {
   }
 }
 
+// A step that is highest where the section removes it: another view has the height, and none refuses it.
+TEST_F(ViewSections, LeaveOverallSizesToViewsThatShowThem) {
+  write_file(folder_ / "step.obj",
+             "v 0 0 0\nv 40 0 0\nv 40 30 0\nv 0 30 0\nv 0 0 18\nv 40 0 18\nv 40 10 18\nv 0 10 18\n"
+             "v 0 10 8\nv 40 10 8\nv 40 30 8\nv 0 30 8\n"
+             "f 4 3 2 1\nf 1 2 6 5\nf 5 6 7 8\nf 8 7 10 9\nf 9 10 11 12\nf 12 11 3 4\n"
+             "f 2 3 11 10 7 6\nf 4 1 5 8 9 12\n");
+  for (const char* dimensions : {"overall", "auto", "hole-table"}) {
+    const Outcome run = epura({"draw", "step.obj", "--views", "front:section=y@20,top,left", "--dimensions", dimensions,
+                               "-o", "step.svg", "--svg-text", "text"},
+                              folder_ / "");
+    EXPECT_EQ(run.code, 0) << dimensions << run.err;
+    const std::string svg = read_file(folder_ / "step.svg");
+    for (const char* size : {">40<", ">30<", ">18<"}) EXPECT_TRUE(contains(svg, size)) << dimensions << size;
+  }
+}
+
 TEST_F(ViewSections, AreRefusedUnlessTheyAreSound) {
   for (const char* words : {"y", "y@", "w@3", "y@a", "y@1e60", "y@3/y@4", "y@3/x@1/z@1", "B", "y@3/"})
     EXPECT_TRUE(
