@@ -374,6 +374,13 @@ inline std::vector<KnownPart> plates() {
                return Hole{{slot(c, 4, 16), 8}, {slot(c, 4, 16), 0}};
              }),
        {"100", "40", "8", "4× R4", "2× 16", "17", "67", "20"}},
+      {"slots in line",
+       plate({50, 40}, 1, 2, 8,
+             [](const Vec2& c) {
+               const double radius = c.y < 40 ? 4 : 6;
+               return Hole{{slot(c, radius, 16), 8}, {slot(c, radius, 16), 0}};
+             }),
+       {"50", "80", "8", "2× R4", "2× R6", "2× 16", "17", "20", "60"}},
       {"blind counterbores",
        plate({40, 30}, 2, 1, 30, stepped_hole({{7, 30}, {7, 24}, {4, 24}, {4, 10}})),
        {"80", "30", "30", "2× ⌀8 ↧20 ⌴⌀14 ↧6", "20", "60", "15"}},

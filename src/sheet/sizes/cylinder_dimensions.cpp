@@ -108,6 +108,24 @@ Planned dimensions_of_equal(const Planning& plan, const CylinderGroup& group) {
 
 Vec3 span_of(const SlotFeature& slot) { return slot.centres[1] - slot.centres[0]; }
 
+/// Slots whose centres have one distance, which is one dimension.
+struct SlotLength {
+  int axis;
+  std::vector<const SlotFeature*> slots;
+  std::size_t dimension;  ///< its number
+};
+
+// Whether the same extension lines reach the centres of both.
+bool are_in_line(const SlotFeature& a, const SlotFeature& b, int axis) {
+  const auto ends = [&](const SlotFeature& slot) {
+    return std::minmax({slot.centres[0][axis], slot.centres[1][axis]});
+  };
+  const auto [low, high] = ends(a);
+  const auto [other_low, other_high] = ends(b);
+  const double slack = features::same_size * (high - low);
+  return are_parallel(a.axis, b.axis) && std::abs(low - other_low) <= slack && std::abs(high - other_high) <= slack;
+}
+
 // Half of the end of a slot.
 scene::FeatureCircle end_of(const SlotFeature& slot) {
   const Vec3 along = glm::normalize(span_of(slot)), out = glm::cross(slot.axis, along);
@@ -138,6 +156,22 @@ Planned slot_dimensions(const Planning& plan) {
            are_parallel(glm::normalize(span_of(a)), glm::normalize(span_of(b)));
   };
   Planned planned;
+  std::vector<SlotLength> lengths;
+  const auto add_length = [&](const std::vector<const SlotFeature*>& group, const NamedProjection& view, int axis) {
+    const auto known = std::ranges::find_if(lengths, [&](const SlotLength& length) {
+      return length.axis == axis && std::ranges::any_of(length.slots, [&](const SlotFeature* a) {
+               return std::ranges::any_of(group, [&](const SlotFeature* b) { return are_in_line(*a, *b, axis); });
+             });
+    });
+    if (known == lengths.end()) {
+      lengths.push_back({axis, group, planned.dimensions.size()});
+      planned.dimensions.push_back(plan.dimension(DimensionType::aligned, view, times(group.size()) + "<>"));
+      planned.dimensions.back().anchors = {group.front()->centres[0], group.front()->centres[1]};
+    } else {
+      known->slots.insert(known->slots.end(), group.begin(), group.end());
+      planned.dimensions[known->dimension].text = {times(known->slots.size()) + "<>", plan.wanted.where};
+    }
+  };
   for (const auto& group : groups_of<SlotFeature>(slots, equal)) {
     const SlotFeature& slot = *group.front();
     check(slot.radius > 0 && slot.centres[0] != slot.centres[1], "a slot has a width and a length");
@@ -146,10 +180,7 @@ Planned slot_dimensions(const Planning& plan) {
     planned.dimensions.push_back(
         plan.dimension(DimensionType::radius, *view, times(2 * group.size()) + "<>", end_of(slot)));
     const int axis = world_axis(glm::normalize(span_of(slot)));
-    if (axis >= 0) {
-      planned.dimensions.push_back(plan.dimension(DimensionType::aligned, *view, times(group.size()) + "<>"));
-      planned.dimensions.back().anchors = {slot.centres[0], slot.centres[1]};
-    }
+    if (axis >= 0) add_length(group, *view, axis);
     const int number = plan.group_of(SizeKind::slot, slots, group.front());
     for (const SlotFeature* one : group) {
       const double way = glm::dot(span_of(*one), view->projection.u + view->projection.v);
