@@ -3,8 +3,8 @@
 """Drawings in the programs of others:  tests/programs.py EPURA
 
 Outside of CI: each program that is installed (openscad, librecad, libreoffice, inkscape, freecad, chromium, pstoedit,
-python3-ezdxf, python3-pdfminer) opens a drawing, and what it made of that is measured. Prints a row for each, and fails
-if one is wrong. docs/recipes.md says the same in words."""
+python3-ezdxf, python3-pdfminer, qpdf, poppler-utils, mupdf-tools, nodejs with libjs-pdf) opens a drawing, and what it
+made of that is measured. Prints a row for each, and fails if one is wrong. docs/recipes.md says the same in words."""
 import math
 import os
 import re
@@ -180,9 +180,65 @@ def pdfminer():
     judge("pdfminer", "title and number are lines", ("A bearing" in lines, "12-345" in lines), (True, True))
 
 
+def archive():
+    """A PDF for archives with attachments, its dimensions, and the words of its second view."""
+    draw(samples / "models" / "flange.obj", "--views", "front,top", "--dimensions", "auto", "--title", "A flange", "--pdf", "archive",
+         "--proof", "data", "-o", "archive.pdf")
+    return "archive.pdf"
+
+
+def qpdf():
+    words = run("qpdf", "--check", archive())
+    judge("qpdf", "errors and warnings", len(re.findall("(?i)warning|error(?!s that qpdf|s found)", words)), 0)
+    names = {line.split(" ->")[0] for line in run("qpdf", "--list-attachments", "archive.pdf").splitlines() if " ->" in line}
+    judge("qpdf", "attachments", {"proof.toml", "lint.json"} <= names, True)
+
+
+def pdfinfo():
+    facts = dict(re.findall(r"^([A-Za-z ]+): +(.*)$", run("pdfinfo", archive()), re.M))
+    judge("poppler", "tagged", facts.get("Tagged"), "yes")
+    elements = [line.split()[0] for line in run("pdfinfo", "-struct", "archive.pdf").splitlines() if line.strip()]
+    judge("poppler", "views that are figures", elements.count("Figure"), 2)
+    judge("poppler", "text", "A flange" in run("pdftotext", "archive.pdf", "-"), True)
+
+
+def mutool():
+    words = run("mutool", "draw", "-F", "txt", archive())
+    judge("mupdf", "text", "A flange" in words, True)
+    judge("mupdf", "complaints", len(re.findall("^(?:error|warning): (?!ICC support)", words, re.M)), 0)
+
+
+PDF_JS = "/usr/share/javascript/pdf/build/pdf.js"  # package libjs-pdf
+
+
+def node():
+    if not Path(PDF_JS).exists():
+        print("pdf.js: not installed")
+        return
+    Path("read.js").write_text(f"""
+const pdfjs = require('{PDF_JS}');
+pdfjs.GlobalWorkerOptions.workerSrc = '{PDF_JS.replace('pdf.js', 'pdf.worker.js')}';
+(async () => {{
+  const data = new Uint8Array(require('fs').readFileSync('{archive()}'));
+  const file = await pdfjs.getDocument({{data, verbosity: 0}}).promise, page = await file.getPage(1), roles = [];
+  const walk = one => {{ if (one.role) roles.push(one.role); (one.children ?? []).forEach(walk); }};
+  walk(await page.getStructTree());
+  console.log('FIGURES', roles.filter(role => role === 'Figure').length);
+  console.log('TEXT', (await page.getTextContent()).items.map(item => item.str).join('|'));
+  console.log('FILES', Object.keys(await file.getAttachments()).join(' '));
+  process.exit();
+}})();
+""")
+    words = run("node", "read.js")
+    judge("pdf.js", "views that are figures", "FIGURES 2" in words, True)
+    judge("pdf.js", "text", "A flange" in words, True)
+    judge("pdf.js", "attachments", bool(re.search("FILES .*proof.toml", words)), True)
+
+
 def main():
     needs = {openscad: "openscad", librecad: "librecad", libreoffice: "soffice", inkscape: "inkscape",
-             freecad: "freecadcmd", chromium: "chromium", pstoedit: "pstoedit", ezdxf: None, pdfminer: None}
+             freecad: "freecadcmd", chromium: "chromium", pstoedit: "pstoedit", ezdxf: None, pdfminer: None,
+             qpdf: "qpdf", pdfinfo: "pdfinfo", mutool: "mutool", node: "node"}
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         plate()
