@@ -3,8 +3,9 @@
 """Drawings in the programs of others:  tests/programs.py EPURA
 
 Outside of CI: each program that is installed (openscad, librecad, libreoffice, inkscape, freecad, chromium, pstoedit,
-python3-ezdxf, python3-pdfminer, qpdf, poppler-utils, mupdf-tools, nodejs with libjs-pdf) opens a drawing, and what it
-made of that is measured. Prints a row for each, and fails if one is wrong. docs/recipes.md says the same in words."""
+python3-ezdxf, python3-pdfminer, qpdf, poppler-utils, mupdf-tools, nodejs with libjs-pdf, libpdfbox2-java) opens a
+drawing, and what it made of that is measured. Prints a row for each, and fails if one is wrong. docs/recipes.md says the
+same in words."""
 import math
 import os
 import re
@@ -208,6 +209,24 @@ def mutool():
     judge("mupdf", "complaints", len(re.findall("^(?:error|warning): (?!ICC support)", words, re.M)), 0)
 
 
+# What ISO 19005-1 forbids and ISO 19005-3 permits: attachments (1.2.9, 1.4.7), layers (1.4.8), streams of references (1.4),
+# profiles of ICC 4 (2.1.6), numbers above 32767 (1.0.6), and that it is part 3 (7.11.2).
+PERMITTED = {"1.2.9", "1.4.7", "1.4.8", "1.4", "2.1.6", "1.0.6", "7.11.2"}
+
+
+def java():
+    """PDFBox's preflight, which judges PDF/A-1b (packages libpdfbox2-java, libactivation-java, libjaxb-api-java)."""
+    names = "preflight pdfbox2 xmpbox fontbox2 commons-logging commons-io javax.activation jaxb-api".split()
+    jars = [Path("/usr/share/java", name + ".jar") for name in names]
+    if not jars[0].exists():
+        print("preflight: not installed")
+        return
+    words = run("java", "-cp", ":".join(map(str, jars)), "org.apache.pdfbox.preflight.Validator_A1b", archive())
+    codes = set(re.findall(r"^([\d.]+) : ", words, re.M))
+    judge("preflight", "it judges", "PDF/A-1b" in words, True)
+    judge("preflight", "what PDF/A-3b forbids, too", sorted(codes - PERMITTED), [])
+
+
 PDF_JS = "/usr/share/javascript/pdf/build/pdf.js"  # package libjs-pdf
 
 
@@ -238,7 +257,7 @@ pdfjs.GlobalWorkerOptions.workerSrc = '{PDF_JS.replace('pdf.js', 'pdf.worker.js'
 def main():
     needs = {openscad: "openscad", librecad: "librecad", libreoffice: "soffice", inkscape: "inkscape",
              freecad: "freecadcmd", chromium: "chromium", pstoedit: "pstoedit", ezdxf: None, pdfminer: None,
-             qpdf: "qpdf", pdfinfo: "pdfinfo", mutool: "mutool", node: "node"}
+             qpdf: "qpdf", pdfinfo: "pdfinfo", mutool: "mutool", node: "node", java: "java"}
     with tempfile.TemporaryDirectory() as folder:
         os.chdir(folder)
         plate()
