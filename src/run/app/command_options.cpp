@@ -67,6 +67,9 @@ scene::Options<RequirementsOptions> requirements_options() {
                              .help = "what is to be measured as a table with the columns of form 3 of AS9102 (first "
                                      "article inspection); - for standard output"},
                             &Ledger::as9102, file_name("FILE")),
+      scene::option<Ledger>(
+          {.flag = "--qif", .help = "what is to be measured as a plan in QIF 3.0 (ISO 23952); - for standard output"},
+          &Ledger::qif, file_name("FILE")),
   };
 }
 

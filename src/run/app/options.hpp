@@ -113,8 +113,8 @@ struct NewSceneOptions {
 struct RequirementsOptions {
   std::vector<std::string> models;
   std::vector<std::filesystem::path> plugin_path;
-  std::vector<std::string> drawings;  ///< JSON of sheets that show them
-  std::string json, csv, as9102;      ///< files to write; empty: none
+  std::vector<std::string> drawings;   ///< JSON of sheets that show them
+  std::string json, csv, as9102, qif;  ///< files to write; empty: none
 };
 
 struct InfoOptions {

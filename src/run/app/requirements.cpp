@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/ledger.hpp"
 #include "base/csv.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"
@@ -33,18 +34,6 @@ using importer::ModelRequirement;
 using output::json_list;
 using output::json_number;
 using output::json_string;
-
-struct LedgerRow : ModelRequirement {
-  int characteristic;              ///< its number in an inspection; 0: it is not measured
-  report::RequirementRow shown{};  ///< where the drawing shows it, if there is one
-};
-
-/// The ledger of one model.
-struct Ledger {
-  std::string model;
-  std::string counts;  ///< in words
-  std::vector<LedgerRow> requirements;
-};
 
 /// What drawings show, by the id and the words of the requirement; those of equal ones in their order.
 using ShownRequirements = std::multimap<std::pair<std::string, std::string>, report::RequirementRow>;
@@ -70,10 +59,11 @@ void find_shown(Ledger& ledger, ShownRequirements& shown) {
 
 Ledger ledger_of(const std::string& model, const RequirementsOptions& options) {
   const importer::ModelRequest request = importer::parse_model_request(model);
-  std::vector<ModelRequirement> all =
-      importer::read_model(request.path, request.parameters, {.plugin_path = options.plugin_path}).requirements;
+  importer::ReadModel read =
+      importer::read_model(request.path, request.parameters, {.plugin_path = options.plugin_path});
+  std::vector<ModelRequirement>& all = read.requirements;
   const std::vector<int> characteristics = pipeline::characteristic_numbers(all);
-  Ledger ledger{request.path, importer::counted_requirements(all), {}};
+  Ledger ledger{request.path, importer::counted_requirements(all), {}, read.part, read.unit.value_or(1)};
   for (std::size_t i = 0; i < all.size(); ++i) ledger.requirements.push_back({std::move(all[i]), characteristics[i]});
   return ledger;
 }
@@ -200,20 +190,6 @@ struct FormColumn {
 
 std::string left_blank(const Ledger&, const LedgerRow&) { return {}; }
 
-// On the sheet, where a drawing shows it; otherwise in the file.
-std::string reference_location(const Ledger& in, const LedgerRow& one) {
-  if (!one.shown.is_drawn()) return std::filesystem::path(in.model).filename().string() + " " + one.id;
-  return "sheet " + std::to_string(one.shown.sheet) + (one.shown.zone.empty() ? "" : ", zone " + one.shown.zone) +
-         ", view " + one.shown.view;
-}
-
-std::string comments(const Ledger&, const LedgerRow& one) {
-  const std::string unread = one.missing.empty() ? std::string() : "not read: " + one.missing;
-  const std::string undrawn =
-      one.shown.is_drawn() || one.shown.why.empty() ? std::string() : "not drawn: " + one.shown.why;
-  return unread + (unread.empty() || undrawn.empty() ? "" : "; ") + undrawn;
-}
-
 const std::vector<FormColumn>& form_columns() {
   using One = const LedgerRow&;
   using In = const Ledger&;
@@ -225,7 +201,7 @@ const std::vector<FormColumn>& form_columns() {
       {"9. Results", left_blank},
       {"10. Designed / Qualified Tooling", left_blank},
       {"11. Nonconformance Number", left_blank},
-      {"12. Additional Data / Comments", comments}};
+      {"12. Additional Data / Comments", [](In, One one) { return comments_on(one); }}};
   return all;
 }
 
@@ -254,7 +230,8 @@ const std::vector<LedgerFormat>& ledger_formats() {
   static const std::vector<LedgerFormat> all{
       {&RequirementsOptions::json, [](const std::vector<Ledger>& all) { return json_of(all); }},
       {&RequirementsOptions::csv, csv_of},
-      {&RequirementsOptions::as9102, form_of}};
+      {&RequirementsOptions::as9102, form_of},
+      {&RequirementsOptions::qif, qif_of}};
   return all;
 }
 
@@ -269,7 +246,7 @@ std::string text_of(const Ledger& ledger) {
     text += "  " + id + one_line(pipeline::requirement_sentence(one));
     text += one.faces.empty() ? "; no face" : (one.faces.size() == 1 ? "; face " : "; faces ") + faces_text(one.faces);
     if (one.shown.is_drawn()) text += "; " + one_line(reference_location(ledger, one));
-    if (const std::string more = comments(ledger, one); !more.empty()) text += "; " + one_line(more);
+    if (const std::string more = comments_on(one); !more.empty()) text += "; " + one_line(more);
     text += "\n";
   }
   return text + "  " + ledger.counts + "\n";
@@ -281,6 +258,19 @@ bool is_incomplete(const Ledger& ledger) {
 }
 
 }  // namespace
+
+std::string reference_location(const Ledger& ledger, const LedgerRow& row) {
+  if (!row.shown.is_drawn()) return std::filesystem::path(ledger.model).filename().string() + " " + row.id;
+  return "sheet " + std::to_string(row.shown.sheet) + (row.shown.zone.empty() ? "" : ", zone " + row.shown.zone) +
+         ", view " + row.shown.view;
+}
+
+std::string comments_on(const LedgerRow& row) {
+  const std::string unread = row.missing.empty() ? std::string() : "not read: " + row.missing;
+  const std::string undrawn =
+      row.shown.is_drawn() || row.shown.why.empty() ? std::string() : "not drawn: " + row.shown.why;
+  return unread + (unread.empty() || undrawn.empty() ? "" : "; ") + undrawn;
+}
 
 int requirements(const RequirementsOptions& options) {
   std::vector<std::string> files;
