@@ -42,6 +42,18 @@ std::string json_of(const report::Finding& finding) {
   return text + ", \"what\": " + output::json_string(finding.what) + "}";
 }
 
+// What is not known is left out.
+std::string json_of(const report::RequirementRow& row) {
+  std::string text = "{\"model\": " + output::json_string(row.model) + ", \"id\": " + output::json_string(row.id) +
+                     ", \"kind\": " + output::json_string(row.kind) + ", \"what\": " + output::json_string(row.what) +
+                     ", \"wanted\": " + (row.wanted ? "true" : "false");
+  if (row.is_drawn()) text += ", \"view\": " + output::json_string(row.view);
+  if (row.sheet > 0) text += ", \"sheet\": " + std::to_string(row.sheet);
+  if (!row.zone.empty()) text += ", \"sheet_zone\": " + output::json_string(row.zone);
+  if (!row.why.empty()) text += ", \"reason\": " + output::json_string(row.why);
+  return text + "}";
+}
+
 std::string json_of(const report::SizeCount& count) {
   return "{\"kind\": " + output::json_string(count.kind) + ", \"given\": " + std::to_string(count.given) +
          ", \"unsure\": " + std::to_string(count.unsure) + ", \"all\": " + std::to_string(count.all) + "}";
@@ -167,6 +179,9 @@ std::string findings_json(const report::Report& report) {
   return "{\"epura_lint\": 1, \"axes\": {" + axes +
          "}, \"findings\": " + output::json_lines(report.findings, write, "\n  ") +
          ", \"sizes\": " + output::json_list(report.sizes, [](const report::SizeCount& one) { return json_of(one); }) +
+         ", \"requirements\": " +
+         output::json_lines(
+             report.requirements, [](const report::RequirementRow& row) { return json_of(row); }, "\n  ") +
          ", \"views_to_add\": " + output::json_list(report.views_to_add, output::json_string) + "}\n";
 }
 

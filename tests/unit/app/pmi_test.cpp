@@ -6,6 +6,7 @@
 #include "errors.hpp"
 #include "folder.hpp"
 #include "program.hpp"
+#include "schema.hpp"
 #include "step_box.hpp"
 
 namespace epura::test::pmi_test {
@@ -380,6 +381,27 @@ TEST_F(Pmi, BalloonsHaveTheNumbersOfTheLedger) {
   EXPECT_EQ(with - says("1") - says("2"), 2);
   const Outcome none = draw_box("", {"--balloons", "characteristics"});
   EXPECT_TRUE(contains(none.err, "the models state nothing to be measured that is read")) << none.err;
+}
+
+// Those that are drawn with their field of the frame, the others with the reason.
+TEST_F(Pmi, LintSaysWhereTheyAre) {
+  const std::string hole = "#1030=SHAPE_ASPECT('','',#10,.T.);\n#1031=DIMENSIONAL_SIZE(#1030,'diameter');\n";
+  folder_.file("part.step", step_box({40, 30, 20}, height + hole));
+  const Outcome found =
+      epura({"lint", "part.step", "--views", "front,top", "--pmi", "all", "--json", "l.json"}, folder_ / "");
+  if (contains(found.err, "install the package")) GTEST_SKIP() << "there is no importer of STEP";
+  EXPECT_EQ(found.code, 1);
+  EXPECT_TRUE(contains(found.out, "requirements: 1 of 2 are drawn, 1 fault")) << found.out;
+  const Json all = JsonReader(read_file(folder_ / "l.json")).read();
+  EXPECT_EQ(Schema(read_file(root() / "src/run/app/lint.schema.json")).fault_of(all), "");
+  const Json &drawn = all["requirements"].items.at(0), &lost = all["requirements"].items.at(1);
+  EXPECT_EQ(drawn["id"].text, "#1004");
+  EXPECT_EQ(drawn["view"].text, "front");
+  EXPECT_EQ(drawn["sheet"].text, "1");
+  EXPECT_EQ(drawn["sheet_zone"].text.size(), 2U) << drawn["sheet_zone"].text;
+  EXPECT_EQ(drawn.keys().find("reason"), std::string::npos);
+  EXPECT_EQ(lost.keys().find("view"), std::string::npos);
+  EXPECT_EQ(lost["reason"].text, "not read: a value, a face that it belongs to");
 }
 
 TEST_F(Pmi, AFaceThatNoViewShowsIsAReason) {
