@@ -16,5 +16,12 @@ TEST(Hash, DigestsTheExamplesOfTheStandard) {
             "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
+// RFC 9562, appendix A.4: in the namespace of domains. The others are those of Python's uuid5.
+TEST(Hash, NamesHaveTheirUuid) {
+  EXPECT_EQ(uuid_of("www.example.com", "6ba7b810-9dad-11d1-80b4-00c04fd430c8"), "2ed6657d-e927-568b-95e1-2665a8aea6a2");
+  EXPECT_EQ(uuid_of("urn:epura:qif"), "744dabd7-553f-57de-a831-2fcb5ca6a86b");
+  EXPECT_EQ(uuid_of(""), "1b4db7eb-4057-5ddf-91e0-36dec72071f5");
+}
+
 }  // namespace
 }  // namespace epura::test::hash_test
