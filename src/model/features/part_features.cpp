@@ -299,6 +299,15 @@ std::vector<LevelFeature> with_other_sides(std::vector<LevelFeature> levels, con
 
 }  // namespace
 
+Vec3 HoleFeature::begin_of_bore() const {
+  double depth = counterbore ? counterbore->size : 0;
+  if (countersink) {
+    const double half = countersink->size / 2 * degree;
+    depth = (countersink->diameter - diameter) / 2 * portable_cos(half) / portable_sin(half);
+  }
+  return mouth - depth * axis;
+}
+
 double RoundFeature::turn_from(const Vec3& out) const {
   double least = sectors.empty() ? 0 : 180;
   for (const Sector& sector : sectors) {

@@ -45,6 +45,8 @@ struct HoleFeature {
 
   /// Diameter by which it is called.
   [[nodiscard]] double called() const { return thread ? thread->diameter : diameter; }
+  /// On its axis: where its narrowest bore begins, below a counterbore or countersink.
+  [[nodiscard]] Vec3 begin_of_bore() const;
 };
 
 /// Whether a single note can describe both.

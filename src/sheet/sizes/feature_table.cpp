@@ -77,7 +77,7 @@ std::vector<FeatureSize> list_holes(const PartFeatures& features, const Notation
   std::vector<FeatureSize> sizes;
   for (const features::HoleFeature& hole : features.holes) {
     check(hole.called() > 0 && (!hole.depth || *hole.depth > 0), "a hole has a diameter, and a depth if it is known");
-    sizes.push_back({SizeKind::hole, static_cast<int>(sizes.size()), hole.model, hole.mouth, hole.axis,
+    sizes.push_back({SizeKind::hole, static_cast<int>(sizes.size()), hole.model, hole.begin_of_bore(), hole.axis,
                      hole.called() / 2, name_of_hole(hole, notation),
                      name_in_note(hole.thread) + recesses_of(hole, notation)});
   }

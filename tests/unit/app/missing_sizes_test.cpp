@@ -41,6 +41,24 @@ class MissingSizes : public testing::Test {
   }
 };
 
+// Cut through their axes, holes have the note beside them that they have seen from above.
+TEST_F(MissingSizes, OfSunkHolesInSections) {
+  for (const char* name : {"counterbores", "countersinks", "blind counterbores"})
+    for (const KnownPart& part : plates()) {
+      if (part.name != name) continue;
+      const auto note = std::find_if(part.texts.begin(), part.texts.end(), [](const std::string& text) {
+        return contains(text, "⌴") || contains(text, "⌵");
+      });
+      ASSERT_NE(note, part.texts.end()) << name;
+      const Outcome run = epura({"draw", folder.file("part.obj", part.obj), "--views", "front:section=y@15",
+                                 "--dimensions", "auto", "--sheet", "A3", "-o", "x.svg"},
+                                folder / "");
+      EXPECT_EQ(run.code, 0) << run.err;
+      const Words texts = dimensions_in(read_file(folder / "x.svg"));
+      EXPECT_EQ(std::count(texts.begin(), texts.end(), *note), 1) << name << run.err;
+    }
+}
+
 // Both sides of it are one line.
 TEST_F(MissingSizes, OfThinMetal) {
   std::vector<KnownPart> foils;
