@@ -38,6 +38,11 @@ const NamedProjection* view_along(const Planning& plan, int world, const Vec3& a
   return best;
 }
 
+// Whether a section has removed all of what has an axis beside its plane.
+bool is_removed(const NamedProjection& view, const Vec3& centre, const Vec3& axis) {
+  return !view.aligned() && std::abs(glm::dot(view.projection.n, axis)) <= parallel && !keeps(view, centre);
+}
+
 // The plane face on which a feature begins.
 const features::PlaneFeature* face_around(const Planning& plan, const Vec3& centre, const Vec3& axis) {
   const double slack = features::same_size * glm::length(plan.box.size());
@@ -114,7 +119,8 @@ Planned positions_of(const Planning& plan, std::span<const Vec3> centres, const 
     if (std::abs(axis[world]) <= parallel)
       if (const NamedProjection* view = view_along(plan, world, axis, along))
         for (const Vec3& centre : centres)
-          planned.places.emplace_back(Coordinate{view, world, centre[world], centre, group, centre});
+          if (!is_removed(*view, centre, axis))
+            planned.places.emplace_back(Coordinate{view, world, centre[world], centre, group, centre});
   const std::optional<Vec3> slanted = slanted_across(axis);
   if (!slanted) return planned;
   const NamedProjection* view = plan.views.along(axis);

@@ -216,11 +216,12 @@ namespace {
 
 using features::are_parallel;
 
-// Corners of a step where a view shows them.
+// Corners of a step where a view shows them, without those that a section has removed.
 std::vector<Vec3> points_shown(const features::LevelFeature& level, const NamedProjection& view) {
   std::vector<Vec3> points;
   for (const Vec3& point : level.points)
-    if (const auto shown = shown_point(view, point)) points.push_back(*shown);
+    if (const auto shown = shown_point(view, point); shown && (view.aligned() || keeps(view, point)))
+      points.push_back(*shown);
   return points;
 }
 
@@ -235,6 +236,7 @@ const NamedProjection* view_of_level(const features::LevelFeature& level, const 
   for (const NamedProjection* view : views.all()) {
     const projection::Projection& projection = view->projection;
     if (!are_parallel(projection.u, axis) && !are_parallel(projection.v, axis)) continue;
+    if (points_shown(level, *view).empty()) continue;
     const auto depth = [&](const Vec3& p) { return glm::dot(p, projection.n); };
     double front = -HUGE_VAL, nearest = -HUGE_VAL;
     for (const Vec3& p : all_points) front = std::max(front, depth(p));

@@ -59,6 +59,24 @@ TEST_F(MissingSizes, OfSunkHolesInSections) {
     }
 }
 
+// A notch before the plane of a section is not in it.
+TEST_F(MissingSizes, AreNotOfWhatASectionRemoves) {
+  Plate plate(20);
+  plate.cell({{0, 0}, {12, 0}, {12, 9}, {12, 40}, {0, 40}}, {});
+  plate.cell({{12, 9}, {23, 9}, {23, 40}, {12, 40}}, {});
+  plate.cell({{23, 0}, {60, 0}, {60, 40}, {23, 40}, {23, 9}}, {});
+  const auto texts = [&](const char* view) {
+    const Outcome run = epura({"draw", folder.file("part.obj", plate.obj()), "--views", view, "--dimensions", "auto",
+                               "--sheet", "A3", "-o", "x.svg"},
+                              folder / "");
+    EXPECT_EQ(run.code, 0) << run.err;
+    return sorted(dimensions_in(read_file(folder / "x.svg")));
+  };
+  EXPECT_EQ(texts("front"), sorted({"60", "20", "12", "11"}));
+  EXPECT_EQ(texts("front:section=y@5"), sorted({"60", "20", "12", "11"}));
+  EXPECT_EQ(texts("front:section=y@20"), sorted({"60", "20"}));
+}
+
 // Both sides of it are one line.
 TEST_F(MissingSizes, OfThinMetal) {
   std::vector<KnownPart> foils;
