@@ -164,6 +164,15 @@ void match_found(std::vector<std::vector<scene::DimensionDescription>>& found, s
   }
 }
 
+// Tables are of their views; what has no dimension is told once.
+void keep_rest(sheet::AutomaticPlan& plan, std::vector<Annotations>& annotations,
+               std::span<const scene::ViewDescription> views) {
+  for (const sheet::HoleTable& table : plan.tables)
+    for (std::size_t i = 0; i < views.size(); ++i)
+      if (*views[i].name == table.view) annotations[i].tables.push_back(table);
+  annotations.front().omitted.append(std::move(plan.omitted));
+}
+
 void add_dimensions(std::vector<Annotations>& annotations, const world::World& world,
                     const scene::SceneDescription& scene, const SheetOfViews& sheet,
                     std::span<const view::ProjectedScene> seen, const SectionSurfaces& sections) {
@@ -211,8 +220,7 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
           return sheet::overall_dimensions(dimension, projections, *extents);
         sheet::AutomaticPlan plan =
             sheet::automatic_dimensions(dimension, projections, {world, features(), *extents}, notation);
-        for (sheet::HoleTable& table : plan.tables)
-          annotations[std::size_t(here(table.view) - views.begin())].tables.push_back(std::move(table));
+        keep_rest(plan, annotations, views);
         return std::move(plan.dimensions);
       };
       for (const scene::DimensionDescription& one : expanded())

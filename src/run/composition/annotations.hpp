@@ -11,6 +11,7 @@
 #include "composition/callouts.hpp"
 #include "scene/description.hpp"
 #include "sheet/notation.hpp"
+#include "sizes/automatic.hpp"
 #include "sizes/hole_table.hpp"
 #include "view/projected_scene.hpp"
 #include "views/sections.hpp"
@@ -49,6 +50,7 @@ struct Annotations {
   bool balloons = false;                                   ///< the view may have balloons
   std::optional<Vec3> centre_of_gravity{};                 ///< of the models, if its symbol is wanted
   std::array<std::size_t, 3> unplaced{};                   ///< as in features::PartFeatures, in the first view
+  sheet::Omitted omitted{};                                ///< of automatic dimensions, in the first view
   MatchedSizes sizes{};                                    ///< if the scene says more of automatic ones by their text
 };
 

@@ -15,6 +15,7 @@
 #include "report/format.hpp"
 #include "sheet/lettering.hpp"
 #include "sheet/standard_scale.hpp"
+#include "sizes/equal_features.hpp"
 #include "view/condition.hpp"
 
 namespace epura::pipeline {
@@ -110,11 +111,21 @@ std::string first_of(const std::vector<std::string>& texts) {
 
 void warn_of_unplaced(const Messages& messages, const std::vector<Annotations>& by_view) {
   std::string list;
-  for (const Annotations& of_view : by_view)
-    for (const std::string& one : features::unplaced_parts(of_view.unplaced)) list += (list.empty() ? "" : ", ") + one;
+  sheet::Omitted omitted;
+  for (const Annotations& of_view : by_view) {
+    for (const std::string& one : features::unplaced_parts(of_view.unplaced)) append_to_list(list, one);
+    omitted.append(of_view.omitted);
+  }
+  for (const auto& [view, count] : omitted.too_many)
+    append_to_list(list, std::to_string(count) + " sizes in the view '" + view + "'");
   if (!list.empty())
     messages.warn("left out, since a view has no room for so many: " + list +
                   "\n  hint: draw groups of parts, or add a [[dimension]] for each place that matters");
+  std::string askew;
+  for (const auto& [name, count] : omitted.askew) append_to_list(askew, sheet::times(count) + name);
+  if (!askew.empty())
+    messages.warn("no positions are given where axes are askew to faces and views: " + askew +
+                  "\n  hint: add a view along the axis, auxiliary:direction=X,Y,Z (epura lint tells which)");
 }
 
 bool warn_of_unmatched(const Messages& messages, const scene::SceneDescription& scene, MatchedSizes sizes) {

@@ -97,7 +97,7 @@ std::vector<const NamedProjection*> in_order(const ViewChoice& views) {
 }
 
 // Each place once, unless it is known before.
-std::vector<DimensionDescription> position_dimensions(const Planning& plan, const Planned& planned) {
+Planned position_dimensions(const Planning& plan, const Planned& planned) {
   Coordinates coordinates(plan.subject, plan.table.round_ends, in_order(plan.views));
   std::vector<SlantedPlace> slanted;
   for (const auto& place : planned.places)
@@ -107,22 +107,25 @@ std::vector<DimensionDescription> position_dimensions(const Planning& plan, cons
       coordinates.add(*coordinate);
     else
       slanted.push_back(std::get<SlantedPlace>(place));
-  for (const Coordinate& level : level_coordinates(plan.subject, plan.views, coordinates)) coordinates.add(level);
-  std::vector<DimensionDescription> dimensions = slanted_dimensions(plan, slanted);
-  for (DimensionDescription& dimension : coordinates.dimensions(plan.wanted, plan.notation))
-    dimensions.push_back(std::move(dimension));
-  return dimensions;
+  Planned positions = level_positions(plan.subject, plan.views, coordinates);
+  for (const auto& level : positions.places) coordinates.add(std::get<Coordinate>(level));
+  positions.places.clear();
+  positions.append({slanted_dimensions(plan, slanted)});
+  positions.append({coordinates.dimensions(plan.wanted, plan.notation)});
+  return positions;
 }
 
 // Machines of a hundred parts have more features than a sheet has room for.
-std::vector<DimensionDescription> without_excess(std::vector<DimensionDescription> dimensions) {
+Planned without_excess(Planned planned) {
   std::map<std::pair<std::string, int>, std::size_t> count;
-  std::erase_if(dimensions, [&](const DimensionDescription& dimension) {
+  std::erase_if(planned.dimensions, [&](const DimensionDescription& dimension) {
     if (dimension.is_label) return false;
     const int row = dimension.direction.given() ? static_cast<int>(*dimension.direction) : -1;
-    return ++count[{*dimension.view, row}] > max_of_a_kind;
+    if (++count[{*dimension.view, row}] <= max_of_a_kind) return false;
+    ++planned.omitted.too_many[*dimension.view];
+    return true;
   });
-  return dimensions;
+  return planned;
 }
 
 }  // namespace
@@ -135,10 +138,11 @@ AutomaticPlan automatic_dimensions(const DimensionDescription& wanted, std::span
                 "add a [[dimension]] for the size, or general_tolerance to the [title_block]");
   const Planning plan(wanted, views, subject, notation);
   Planned planned = dimensions_of_features(plan, views);
-  planned.append({position_dimensions(plan, planned)});
+  planned.append(position_dimensions(plan, planned));
   for (const DimensionDescription& dimension : planned.dimensions)
     check(dimension.view.given() && dimension.type.given(), "an automatic dimension has a type and a view");
-  return {without_excess(std::move(planned.dimensions)), std::move(planned.tables)};
+  planned = without_excess(std::move(planned));
+  return {std::move(planned.dimensions), std::move(planned.tables), std::move(planned.omitted)};
 }
 
 }  // namespace epura::sheet

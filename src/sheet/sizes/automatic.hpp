@@ -4,7 +4,10 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "features/part_features.hpp"
@@ -28,9 +31,18 @@ struct DimensionSubject {
 inline constexpr std::size_t max_levels = 64, max_radii = 24;
 inline constexpr double min_level = 5e-5, min_radius = 2e-3;
 
+/// What has no dimension though a view shows it.
+struct Omitted {
+  std::map<std::string, std::size_t> too_many{};  ///< by view: sizes that are more than it can show
+  std::map<std::string, std::size_t> askew{};     ///< by name: features at no angle that a view shows
+
+  void append(Omitted other);
+};
+
 struct AutomaticPlan {
   std::vector<scene::DimensionDescription> dimensions;
   std::vector<HoleTable> tables;  ///< of views; their labels are dimensions
+  Omitted omitted{};
 };
 
 /// Returns overall dimensions, as of overall_dimensions, and those of features:

@@ -121,16 +121,21 @@ Planned positions_of(const Planning& plan, std::span<const Vec3> centres, const 
         for (const Vec3& centre : centres)
           if (!is_removed(*view, centre, axis))
             planned.places.emplace_back(Coordinate{view, world, centre[world], centre, group, centre});
+  if (features::axis_along(axis) >= 0) return planned;
   const std::optional<Vec3> slanted = slanted_across(axis);
-  if (!slanted) return planned;
   const NamedProjection* view = plan.views.along(axis);
-  if (view == nullptr) view = plan.views.beside(*slanted, centres.front());
-  for (const Vec3& centre : centres)
-    if (const features::PlaneFeature* face = face_around(plan, centre, axis); face != nullptr && view != nullptr) {
-      // One direction for all that begins on a face.
-      const Vec3 direction = glm::dot(face->normal, axis) < 0 ? -*slanted : *slanted;
-      planned.places.emplace_back(SlantedPlace{view, face, direction, centre, group});
+  if (view == nullptr && slanted) view = plan.views.beside(*slanted, centres.front());
+  for (const Vec3& centre : centres) {
+    const features::PlaneFeature* face = slanted && view != nullptr ? face_around(plan, centre, axis) : nullptr;
+    if (face == nullptr) {
+      if (group >= 0 && std::cmp_less(group, plan.table.sizes.size()))
+        ++planned.omitted.askew[plan.table.sizes[static_cast<std::size_t>(group)].name];
+      continue;
     }
+    // One direction for all that begins on a face.
+    const Vec3 direction = glm::dot(face->normal, axis) < 0 ? -*slanted : *slanted;
+    planned.places.emplace_back(SlantedPlace{view, face, direction, centre, group});
+  }
   return planned;
 }
 

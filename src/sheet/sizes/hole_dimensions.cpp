@@ -173,7 +173,10 @@ Planned hole_dimensions(const Planning& plan) {
   for (const HoleGroup& group : groups_of_holes(plan)) {
     const NamedProjection* along = plan.views.along(group.front()->axis, !group.front()->through);
     const NamedProjection* view = along != nullptr ? along : view_beside<HoleFeature>(plan.views, group, mouth_of);
-    if (view == nullptr) continue;
+    if (view == nullptr) {
+      planned.omitted.askew[size_of(plan, group.front()).name] += group.size();
+      continue;
+    }
     if (along != nullptr && has_table(plan) && can_have_table(*view)) {
       auto table = std::find_if(planned.tables.begin(), planned.tables.end(),
                                 [&](const HoleTable& one) { return one.view == view->name; });

@@ -35,7 +35,13 @@ scene::DimensionDescription Planning::dimension(DimensionType type, const NamedP
   return of_circle;
 }
 
+void Omitted::append(Omitted other) {
+  for (const auto& [view, count] : other.too_many) too_many[view] += count;
+  for (const auto& [name, count] : other.askew) askew[name] += count;
+}
+
 void Planned::append(Planned other) {
+  omitted.append(std::move(other.omitted));
   std::move(other.dimensions.begin(), other.dimensions.end(), std::back_inserter(dimensions));
   std::move(other.places.begin(), other.places.end(), std::back_inserter(places));
   std::move(other.tables.begin(), other.tables.end(), std::back_inserter(tables));

@@ -67,6 +67,7 @@ struct Planned {
   std::vector<scene::DimensionDescription> dimensions{};
   std::vector<std::variant<Coordinate, KnownPlace, SlantedPlace>> places{};  ///< one after the other
   std::vector<HoleTable> tables{};
+  Omitted omitted{};
 
   void append(Planned other);
 };

@@ -118,9 +118,11 @@ Planned arc_dimensions(const Planning& plan) {
   Planned planned;
   for (const auto& group : groups) {
     const auto [view, seen] = view_of_most(plan.views, group);
-    if (view == nullptr || double(group.size()) * group.front()->radius < min_radius * largest ||
-        in_view[view->name]++ >= max_radii)
+    if (view == nullptr || double(group.size()) * group.front()->radius < min_radius * largest) continue;
+    if (in_view[view->name]++ >= max_radii) {
+      ++planned.omitted.too_many[view->name];
       continue;
+    }
     const auto* shown = uppermost<ArcFeature>(seen, *view, [](const ArcFeature& arc) {
       check(arc.radius > 0 && arc.points.size() > 4, "an arc has a radius and a middle");
       return arc.points[4];

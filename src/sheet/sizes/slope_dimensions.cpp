@@ -193,9 +193,14 @@ Planned slope_dimensions(const Planning& plan) {
   }
   Planned planned = dimensions_of_chamfers(plan, chamfers);
   std::stable_sort(slopes.begin(), slopes.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
-  for (std::size_t i = 0; i < std::min(slopes.size(), max_of_a_kind); ++i) {
+  std::size_t shown = 0;
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
     const NamedProjection* view = plan.views.along(Mat3(1)[slopes[i].along]);
     if (view == nullptr || slopes[i].area < min_area(plan.box)) continue;
+    if (++shown > max_of_a_kind) {
+      ++planned.omitted.too_many[view->name];
+      continue;
+    }
     const auto angled = angled_end(slopes[i], plan.subject, plan.table, plan.notation);
     if (const auto corner = corner_of_angle(slopes[i], plan.subject, angled)) {
       planned.dimensions.push_back(plan.dimension(DimensionType::angular, *view, "<>"));
@@ -260,8 +265,7 @@ double min_area(const Box& box) {
   return min_level * largest * (size.x + size.y + size.z - largest - least);
 }
 
-std::vector<Coordinate> level_coordinates(const DimensionSubject& subject, const ViewChoice& views,
-                                          const Coordinates& known) {
+Planned level_positions(const DimensionSubject& subject, const ViewChoice& views, const Coordinates& known) {
   const Box box = features::box_of_faces(subject.world);
   const std::vector<Vec3> all_points = features::points_of_faces(subject.world);
   const double slack = features::same_size * glm::length(box.size());
@@ -278,13 +282,14 @@ std::vector<Coordinate> level_coordinates(const DimensionSubject& subject, const
     by_view[{view->name, level.axis}].emplace_back(
         -level.area, Coordinate{view, level.axis, level.at, *low, -1, *high, level.other_side, level.partner});
   }
-  std::vector<Coordinate> coordinates;
+  Planned planned;
   for (auto& [key, levels] : by_view) {
     check(!levels.empty(), "a view has the steps for which it was chosen");
     std::stable_sort(levels.begin(), levels.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (std::size_t i = 0; i < std::min(levels.size(), max_levels); ++i) coordinates.push_back(levels[i].second);
+    for (std::size_t i = 0; i < std::min(levels.size(), max_levels); ++i) planned.places.emplace_back(levels[i].second);
+    if (levels.size() > max_levels) planned.omitted.too_many[key.first] += levels.size() - max_levels;
   }
-  return coordinates;
+  return planned;
 }
 
 }  // namespace epura::sheet

@@ -44,8 +44,7 @@ Planned slope_dimensions(const Planning& plan);
 /// The area below which a face is no step or slope to be dimensioned, for models in a box.
 double min_area(const Box& box);
 
-/// Places of the steps that are not known yet, at most `max_levels` along one axis in a view, the largest ones.
-std::vector<Coordinate> level_coordinates(const DimensionSubject& subject, const ViewChoice& views,
-                                          const Coordinates& known);
+/// Coordinates of the steps that are not known yet, at most `max_levels` along one axis in a view, the largest ones.
+Planned level_positions(const DimensionSubject& subject, const ViewChoice& views, const Coordinates& known);
 
 }  // namespace epura::sheet

@@ -77,6 +77,27 @@ TEST_F(MissingSizes, AreNotOfWhatASectionRemoves) {
   EXPECT_EQ(texts("front:section=y@20"), sorted({"60", "20"}));
 }
 
+// More than anyone finds in a view, and positions along no axis of a view: draw tells what lint finds.
+TEST_F(MissingSizes, AreTold) {
+  const auto told = [&](const std::string& obj, const char* placed) {
+    const Outcome run = epura({"draw", folder.file("part.obj", obj), "--views", "front,top,left", "--transform", placed,
+                               "--dimensions", "auto", "--sheet", "A0", "-o", "x.svg"},
+                              folder / "");
+    EXPECT_EQ(run.code, 0) << run.err;
+    return run.err;
+  };
+  const auto each_differs = [](const Vec2& centre) {
+    const double radius = 2 + centre.x / 80 + centre.y / 1000;
+    return stepped_hole({{radius, 6}, {radius, 0}})(centre);
+  };
+  const std::string many = plate({20, 24}, 7, 7, 6, each_differs), one = plates()[0].obj;
+  EXPECT_TRUE(
+      contains(told(many, "scale:1"), "left out, since a view has no room for so many: 9 sizes in the view 'top'"));
+  EXPECT_TRUE(contains(told(one, "rotate:x,20 rotate:y,30"),
+                       "no positions are given where axes are askew to faces and views: hole ⌀10"));
+  for (const char* placed : {"scale:1", "rotate:x,20"}) EXPECT_FALSE(contains(told(one, placed), "askew")) << placed;
+}
+
 // Both sides of it are one line.
 TEST_F(MissingSizes, OfThinMetal) {
   std::vector<KnownPart> foils;
