@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "dimensions/costs.hpp"
 #include "dimensions/forms.hpp"
+#include "dimensions/shown_circle.hpp"
 #include "dimensions/straight.hpp"
 
 namespace epura::sheet {
@@ -83,6 +84,14 @@ void add_labels(std::vector<DimensionPlacement>& placements, const MeasuredCircl
     }
 }
 
+// The middle of each of `count` parts of an arc; for a circle, the diagonals are included.
+std::vector<double> angles_of(const MeasuredCircle& circle, int count) {
+  const bool whole = std::abs(circle.sweep) >= 2 * std::numbers::pi;
+  std::vector<double> angles;
+  for (int i = 0; i < count; ++i) angles.push_back(circle.first + (whole ? i : i + 0.5) * circle.sweep / count);
+  return angles;
+}
+
 }  // namespace
 
 std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, const MeasuredDimension& measured,
@@ -90,9 +99,8 @@ std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, cons
   std::vector<DimensionPlacement> placements;
   if (circle.is_label) add_labels(placements, circle, measured.text, style);
   const bool whole = std::abs(circle.sweep) >= 2 * std::numbers::pi;
-  for (int i = 0; i < leader_directions; ++i) {
-    // The middle of each part of an arc; for a circle, the diagonals are included.
-    const double angle = circle.first + (whole ? i : i + 0.5) * circle.sweep / leader_directions;
+  const DrawnParts drawn_parts(drawing, circle);
+  for (const double angle : drawn_parts.among(angles_of(circle, leader_directions))) {
     const Vec2 direction = turned_to(angle);
     const auto add = [&](double length, double cost) {
       for (const bool turned : {false, true})
@@ -113,22 +121,21 @@ std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, cons
       from_inside = from_inside && (past <= 0 || ink_in(beyond, drawing) == 0);
       if (from_inside) add(-length, cost_of_inside + cost_of_length * length);
     }
-    if (!circle.is_radius && !circle.is_label && !circle.spokes && whole)
+    if (!circle.is_radius && !circle.is_label && !circle.spokes && whole &&
+        drawn_parts.is_at(angle) == drawn_parts.is_at(angle + std::numbers::pi))
       add_across(placements, circle, measured.text, angle, style);
   }
-  check(placements.size() >= leader_directions, "a circle has a place for its text in each direction");
+  check(!placements.empty(), "a circle has a place for its text");
   return placements;
 }
 
 std::vector<DimensionPlacement> placements_in_crowd(const MeasuredCircle& circle, const MeasuredDimension& measured,
-                                                    const drawing::ViewDrawing&, const DimensionStyle& style) {
+                                                    const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
   constexpr int more_directions = 3, more_lengths = 2;  // times
   check(circle.radius >= 0 && circle.sweep != 0, "an arc has a length");
   std::vector<DimensionPlacement> placements;
   if (measured.offset || circle.is_label) return placements;
-  const bool whole = std::abs(circle.sweep) >= 2 * std::numbers::pi;
-  for (int i = 0; i < more_directions * leader_directions; ++i) {
-    const double angle = circle.first + (i + (whole ? 0 : 0.5)) * circle.sweep / (more_directions * leader_directions);
+  for (const double angle : DrawnParts(drawing, circle).among(angles_of(circle, more_directions * leader_directions))) {
     const Vec2 direction = turned_to(angle);
     for (int k = 0; k < more_lengths * lengths; ++k) {
       const double length = shortest_leader_of_circle + longer_leader * k;

@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/error.hpp"
 #include "drawing/drawing.hpp"
+#include "sheet/marks.hpp"
 
 namespace epura::sheet {
 
@@ -14,6 +16,7 @@ namespace {
 // A line this near to a circle, in its radii, is of it: facets lie inside the circle, and so does the core of a thread
 // whose nominal diameter is measured.
 constexpr double of_circle = 0.2;
+constexpr double by_facets = 0.05;       // the same of facets alone
 constexpr double along_diameter = 1e-3;  // radians between a line and the diameter that it follows
 
 Vec2 nearest_on(const drawing::Segment& segment, const Vec2& p) {
@@ -22,13 +25,19 @@ Vec2 nearest_on(const drawing::Segment& segment, const Vec2& p) {
   return segment.from + (length > 0 ? std::clamp(glm::dot(p - segment.from, along) / length, 0.0, 1.0) : 0.0) * along;
 }
 
+// Seen from the centre, in lengths of the spokes.
+std::array<Vec2, 2> in_circle(const drawing::Segment& segment, const MeasuredCircle& circle) {
+  return {circle.in_spokes(segment.from - circle.centre), circle.in_spokes(segment.to - circle.centre)};
+}
+
+bool is_along(const std::array<Vec2, 2>& line, double off) {
+  const Vec2 along = line[1] - line[0], spoke = (line[0] + line[1]) / 2.0;
+  return std::abs(glm::length(spoke) - 1) <= off && std::abs(cross(along, spoke)) >= std::abs(glm::dot(along, spoke));
+}
+
 bool has_line_along(const drawing::ViewDrawing& drawing, const MeasuredCircle& circle, bool visible_only = false) {
   return std::any_of(drawing.segments.begin(), drawing.segments.end(), [&](const drawing::Segment& segment) {
-    if (visible_only && !segment.visible) return false;
-    const Vec2 from = circle.in_spokes(segment.from - circle.centre), to = circle.in_spokes(segment.to - circle.centre);
-    const Vec2 along = to - from, spoke = (from + to) / 2.0;
-    const bool is_on = std::abs(glm::length(spoke) - 1) <= of_circle;
-    return is_on && std::abs(cross(along, spoke)) >= std::abs(glm::dot(along, spoke));
+    return (segment.visible || !visible_only) && is_along(in_circle(segment, circle), of_circle);
   });
 }
 
@@ -52,6 +61,27 @@ bool shows_circle(const drawing::ViewDrawing& drawing, const MeasuredDimension& 
 
 bool shows_visible(const drawing::ViewDrawing& drawing, const MeasuredCircle& circle) {
   return has_line_along(drawing, circle, true);
+}
+
+DrawnParts::DrawnParts(const drawing::ViewDrawing& drawing, const MeasuredCircle& circle) : circle_(circle) {
+  const bool visible_only = has_line_along(drawing, circle, true);
+  for (const drawing::Segment& segment : drawing.segments)
+    if (const auto line = in_circle(segment, circle); (segment.visible || !visible_only) && is_along(line, by_facets))
+      lines_.push_back(line);
+}
+
+bool DrawnParts::is_at(double angle) const {
+  const Vec2 p = circle_.in_spokes(turned_to(angle));
+  return std::any_of(lines_.begin(), lines_.end(), [&p](const std::array<Vec2, 2>& line) {
+    return cross(line[0], p) * cross(p, line[1]) >= 0 && glm::dot(line[0] + line[1], p) > 0;
+  });
+}
+
+std::vector<double> DrawnParts::among(const std::vector<double>& angles) const {
+  std::vector<double> drawn;
+  std::copy_if(angles.begin(), angles.end(), std::back_inserter(drawn), [this](double angle) { return is_at(angle); });
+  check(drawn.size() <= angles.size(), "a leader has one of the directions that it may have");
+  return 2 * drawn.size() < angles.size() ? angles : drawn;
 }
 
 }  // namespace epura::sheet

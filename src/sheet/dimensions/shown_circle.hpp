@@ -2,6 +2,9 @@
 // Whether a view shows the circle that a dimension measures.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "dimensions/measure.hpp"
 #include "drawing/drawing.hpp"
 
@@ -14,5 +17,20 @@ bool shows_circle(const drawing::ViewDrawing& drawing, const MeasuredDimension& 
 
 /// Whether the drawing has a visible line along a circle.
 bool shows_visible(const drawing::ViewDrawing& drawing, const MeasuredCircle& circle);
+
+/// The parts of a circle that a view draws; only the visible ones if there are any.
+class DrawnParts {
+ public:
+  DrawnParts(const drawing::ViewDrawing& drawing, const MeasuredCircle& circle);
+
+  /// Of directions from the centre, in radians, those in which the circle is drawn; all of them if it is in less
+  /// than half: holes on a pitch circle have lines along it, too.
+  [[nodiscard]] std::vector<double> among(const std::vector<double>& angles) const;
+  [[nodiscard]] bool is_at(double angle) const;
+
+ private:
+  const MeasuredCircle& circle_;
+  std::vector<std::array<Vec2, 2>> lines_;  ///< from the centre, in lengths of the spokes
+};
 
 }  // namespace epura::sheet

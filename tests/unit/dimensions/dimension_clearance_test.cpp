@@ -130,5 +130,49 @@ TEST(DimensionClearance, NoTextIsAmongDimensionsOfAnotherView) {
   EXPECT_EQ(none.left_out, (std::vector<std::size_t>{0}));
 }
 
+// Of a disc with a keyway in any direction.
+TEST(DimensionClearance, LeadersEndWhereTheirCircleIsDrawn) {
+  constexpr double radius = 20, half = 20;  // degrees to either side of the middle of the keyway
+  constexpr int corners = 72;
+  for (int middle = 0; middle < 360; middle += 15) {
+    const auto at = [](double r, double degrees) {
+      const double angle = degrees * std::numbers::pi / 180;
+      return Vec2(r * std::cos(angle), r * std::sin(angle));
+    };
+    std::vector<Vec2> outline;
+    for (int i = 0; i < corners; ++i) {
+      const double angle = middle + half + (360 - 2 * half) * i / (corners - 1);
+      outline.push_back(at(radius, angle));
+    }
+    for (const double side : {-1.0, 1.0}) outline.push_back(at(0.7 * radius, middle + side * half));
+    Shape disc;
+    for (const double z : {0.0, 8.0})
+      for (const Vec2& p : outline) disc.points.push_back({p.x, p.y, z});
+    const int count = static_cast<int>(outline.size());
+    std::vector<int> bottom, top;
+    for (int i = 0; i < count; ++i) {
+      disc.faces.push_back({i, (i + 1) % count, count + (i + 1) % count, count + i});
+      bottom.insert(bottom.begin(), i);
+      top.push_back(count + i);
+    }
+    disc.faces.push_back(bottom);
+    disc.faces.push_back(top);
+    const world::World world = placed(disc);
+    const drawing::ViewDrawing view = drawing_of(world, from_above());
+    scene::DimensionDescription diameter = dimension("diameter", {});
+    diameter.circle = scene::FeatureCircle{{0, 0, 8}, {0, 0, 1}, radius, {}};
+    const Vec2 box_middle = (view.box.min + view.box.max) / 2.0;
+    ASSERT_LT(glm::distance(box_middle, Vec2(100, 100)), 1e-6);
+    const Vec2 centre = drawing::position_on_page(view, Vec3(0, 0, 8));
+    const sheet::Layer layer = layer_of(world, view, {diameter});
+    ASSERT_GE(layer.fills.size(), 1U);
+    for (const sheet::Fill& arrow : layer.fills) {
+      const Vec2 tip = arrow.rings[0][0] - centre, gap = at(1, middle);
+      EXPECT_NEAR(glm::length(tip), radius, 1e-6);
+      EXPECT_LT(glm::dot(glm::normalize(tip), gap), std::cos(half * std::numbers::pi / 180) + 1e-6) << middle;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace epura::test::dimension_clearance_test
