@@ -10,6 +10,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "scene/choices.hpp"
 #include "sizes/equal_features.hpp"
 #include "sizes/place_joins.hpp"
@@ -99,7 +100,7 @@ std::optional<StatedSize> stated_size(const AnchoredDimension& dimension, const 
   if (!number && dimension.stated) number = Number{dimension.stated->value, dimension.stated->decimals};
   const std::optional<double> measured = measured_size(dimension, view);
   if (!number || !measured) return std::nullopt;
-  const std::string text = dimension.text.empty() ? std::to_string(number->value) : dimension.text;
+  const std::string text = dimension.text.empty() ? format_with_zeros(number->value, number->decimals) : dimension.text;
   return StatedSize{number->value, *measured, std::pow(10.0, -number->decimals) / 2, text};
 }
 

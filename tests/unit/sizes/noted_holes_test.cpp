@@ -7,9 +7,11 @@
 #include <cstddef>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dimensioned_part.hpp"
+#include "sizes/stated_values.hpp"
 #include "turned_parts.hpp"
 
 namespace epura::test::noted_holes_test {
@@ -74,6 +76,21 @@ TEST(NotedHoles, OfDrillPointsAreHeldByTheirDepth) {
   const double point = 3 / std::tan(59 / 180.0 * std::numbers::pi);
   const DimensionedPart part(plate_with({{3, 10}, {3, 3 + point}}, false));
   EXPECT_EQ(faults_of(part), "");
+}
+
+// With the decimals of the file that states them.
+TEST(NotedHoles, StatedValuesAreNamedAsTheyAreWritten) {
+  const sheet::DimensionsInView view{three_views()[0].name, three_views()[0].projection, {}};
+  sheet::AnchoredDimension length{};
+  length.type = DimensionType::linear;
+  length.direction = DimensionDirection::horizontal;
+  length.points = {{0, 0, 0}, {50, 0, 0}};
+  for (const auto& [decimals, text] : {std::pair(0, "50"), std::pair(1, "50.0"), std::pair(3, "50.000")}) {
+    length.stated = scene::StatedValue{50, decimals};
+    const auto size = sheet::stated_size(length, view);
+    ASSERT_TRUE(size.has_value());
+    EXPECT_EQ(size->text, text);
+  }
 }
 
 }  // namespace epura::test::noted_holes_test
