@@ -2,35 +2,16 @@
 // Which sizes of the features of the models have no dimension, and which have several.
 #pragma once
 
-#include <algorithm>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "projection/projection.hpp"
 #include "report/report.hpp"
 #include "sheet/notation.hpp"
-#include "sizes/anchors.hpp"
 #include "sizes/automatic.hpp"
+#include "sizes/dimensions_in_view.hpp"
 
 namespace epura::sheet {
-
-/// The dimensions in a view.
-struct DimensionsInView {
-  std::string view;
-  projection::Projection projection;
-  std::vector<AnchoredDimension> dimensions;  ///< in the world, where an aligned section turns nothing
-  std::optional<Vec3> turned_about{};  ///< of an aligned section: the direction in which lengths stay as they are
-};
-
-/// Whether is_wanted(dimension) holds for one in any view.
-template <class IsWanted>
-bool any_dimension(std::span<const DimensionsInView> views, const IsWanted& is_wanted) {
-  return std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
-    return std::any_of(view.dimensions.begin(), view.dimensions.end(), is_wanted);
-  });
-}
 
 struct Coverage {
   std::vector<report::SizeCount> counts;  ///< of kinds that there are

@@ -12,7 +12,6 @@
 #include "base/angle.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
-#include "base/text.hpp"
 #include "definition/limits.hpp"
 #include "features/tolerances.hpp"
 #include "sizes/equal_features.hpp"
@@ -74,30 +73,20 @@ class Reader {
   FaceStatements read(std::span<const DimensionsInView> views) {
     for (std::size_t view = 0; view < views.size(); ++view)
       for (std::size_t i = 0; i < views[view].dimensions.size(); ++i)
-        read_one(views[view].dimensions[i], views[view], {view, i});
+        if (const AnchoredDimension& dimension = views[view].dimensions[i]; !is_auxiliary(dimension)) {
+          read_one(dimension, views[view], {view, i});
+          found_.of.resize(found_.statements.size(), {view, i});
+        }
     return std::move(found_);
   }
 
  private:
-  void read_one(const AnchoredDimension& dimension, const DimensionsInView& view,
-                const std::array<std::size_t, 2>& place) {
-    const std::size_t before = found_.statements.size();
-    if (!is_auxiliary(dimension)) read(dimension, view);
-    for (std::size_t i = before; i < found_.statements.size(); ++i)
-      found_.statements[i].name = name_of(dimension, view);
-    found_.of.resize(found_.statements.size(), place);
-  }
-  // As a reader of the sheet finds it.
-  [[nodiscard]] std::string name_of(const AnchoredDimension& dimension, const DimensionsInView& view) const {
-    const std::optional<StatedSize> size = stated_size(dimension, view);
-    return "'" + (size ? size->text : text_of(dimension, view, notation_)) + "' in view '" + view.view + "'";
-  }
   [[nodiscard]] const PartSurface& surface(int face) const {
     return part_.faces[static_cast<std::size_t>(face)].surface;
   }
   [[nodiscard]] int all_faces() const { return static_cast<int>(part_.faces.size()); }
 
-  void read(const AnchoredDimension& dimension, const DimensionsInView& view) {
+  void read_one(const AnchoredDimension& dimension, const DimensionsInView& view, const DimensionPlace& place) {
     const std::size_t before = found_.statements.size();
     switch (dimension.type) {
       case DimensionType::overall:
@@ -118,23 +107,25 @@ class Reader {
         break;
     }
     check(found_.statements.size() >= before, "no dimension takes back what another one says");
-    if (found_.statements.size() > before) state_text(found_.statements[before], dimension, view);
-    if (found_.statements.size() == before) found_.unread.push_back(name_of(dimension, view));
+    if (found_.statements.size() == before) {
+      found_.unread.push_back(place);
+    } else if (const std::optional<StatedSize> size = stated_size(dimension, view)) {
+      if (std::abs(size->stated - size->measured) > size->slack * (1 + definition::same_size))
+        found_.untrue.push_back({place, size->measured});
+      state_text(found_.statements[before], *size, dimension, view);
+    }
   }
 
   // What its text says of the statement that a dimension makes first.
-  void state_text(Statement& statement, const AnchoredDimension& dimension, const DimensionsInView& view) {
-    const std::optional<StatedSize> size = stated_size(dimension, view);
-    if (!size) return;
+  void state_text(Statement& statement, const StatedSize& size, const AnchoredDimension& dimension,
+                  const DimensionsInView& view) const {
     double factor = 1 / part_.size;
     if (dimension.type == DimensionType::diameter) factor /= 2;
     if (dimension.type == DimensionType::angular) factor = -1 / degrees;
     if (const std::optional<Vec3> along = measured_along(dimension, view))
       factor = std::copysign(factor, glm::dot(dimension.points[1] - dimension.points[0], *along));
-    statement.more = factor * (size->stated - size->measured);
-    statement.slack = std::abs(factor) * size->slack;
-    if (std::abs(size->stated - size->measured) > size->slack * (1 + definition::same_size))
-      found_.untrue.push_back(name_of(dimension, view) + ": the part has " + format_rounded(size->measured, 6));
+    statement.more = factor * (size.stated - size.measured);
+    statement.slack = std::abs(factor) * size.slack;
   }
 
   void say(std::vector<Row> rows, bool is_certain = true) {

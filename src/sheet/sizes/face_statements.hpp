@@ -2,22 +2,27 @@
 // What dimensions say of the faces of a part.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <span>
 #include <vector>
 
 #include "definition/statements.hpp"
 #include "sheet/notation.hpp"
+#include "sizes/dimension_names.hpp"
 #include "sizes/drawn_part.hpp"
 
 namespace epura::sheet {
 
+/// A text that states another value than the part has.
+struct UntrueText {
+  DimensionPlace place;
+  double measured;
+};
+
 struct FaceStatements {
   std::vector<definition::Statement> statements;
-  std::vector<std::array<std::size_t, 2>> of;  ///< of each: its view, and its dimension there
-  std::vector<std::string> unread;             ///< dimensions of which nobody can tell what they measure
-  std::vector<std::string> untrue;             ///< texts that state another value than the part has
+  std::vector<DimensionPlace> of;      ///< the dimension of each
+  std::vector<DimensionPlace> unread;  ///< dimensions of which nobody can tell what they measure
+  std::vector<UntrueText> untrue;
 };
 
 /// Of auxiliary dimensions, which are in brackets, nothing. What a text says beside the measured value is a statement

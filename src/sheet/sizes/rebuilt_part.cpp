@@ -8,11 +8,9 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "definition/account.hpp"
 #include "definition/rebuild.hpp"
 #include "definition/words.hpp"
-#include "sizes/drawn_part.hpp"
-#include "sizes/face_statements.hpp"
+#include "sizes/sheet_reading.hpp"
 #include "surfaces/numbers.hpp"
 #include "world/placed_part.hpp"
 
@@ -109,27 +107,23 @@ double largest_of(const std::vector<double>& values) {
 std::optional<RebuiltPart> rebuild_part(std::span<const DimensionsInView> views, const world::World& world,
                                         const std::array<features::Extent, 3>& extents, const Notation& notation,
                                         const definition::RuleSet& rules) {
-  const std::optional<DrawnPart> drawn = part_on_sheets(views, world, extents);
-  if (!drawn) return std::nullopt;
-  if (drawn->faces > most_faces)
+  std::optional<DrawnPart> on_sheets = part_on_sheets(views, world, extents);
+  if (!on_sheets) return std::nullopt;
+  if (on_sheets->faces > most_faces)
     throw Error(ErrorKind::input, "the model",
-                "it has " + std::to_string(drawn->faces) + " faces, of which at most " + std::to_string(most_faces) +
-                    " are found again",
+                "it has " + std::to_string(on_sheets->faces) + " faces, of which at most " +
+                    std::to_string(most_faces) + " are found again",
                 "rebuild one of its parts");
-  const definition::Directions directions = definition::find_directions(drawn->part.faces);
-  const Unknowns unknowns(drawn->part, directions);
+  const SheetReading reading(std::move(*on_sheets), views, notation);
+  const DrawnPart* drawn = &reading.drawn;
+  const Unknowns& unknowns = reading.unknowns;
   RebuiltPart found;
-  const auto rules_of = [&](const Unknowns& changed) {
-    return definition::state_rules(drawn->part, directions, changed, drawn->marks, rules);
-  };
-  FaceStatements said = state_dimensions(views, *drawn, directions, unknowns, notation);
-  const definition::Account account =
-      definition::take_account(drawn->part, unknowns, rules_of(unknowns), said.statements);
-  const std::vector<definition::Row> base = definition::base_rows(drawn->part, unknowns, account.states);
-  found.unread = std::move(said.unread);
+  const std::vector<definition::Row> base = definition::base_rows(drawn->part, unknowns, reading.account(rules).states);
+  const DimensionNames names(views, notation);
+  for (const DimensionPlace& place : reading.said.unread) found.unread.push_back(names.name_of(place));
   const auto state_all = [&](const Unknowns& changed) {
-    std::vector<definition::Statement> all = rules_of(changed);
-    FaceStatements now = state_dimensions(views, *drawn, directions, changed, notation);
+    std::vector<definition::Statement> all = reading.rules(rules, changed);
+    FaceStatements now = state_dimensions(views, *drawn, reading.directions, changed, notation);
     std::move(now.statements.begin(), now.statements.end(), std::back_inserter(all));
     return all;
   };

@@ -100,8 +100,7 @@ std::optional<StatedSize> stated_size(const AnchoredDimension& dimension, const 
   if (!number && dimension.stated) number = Number{dimension.stated->value, dimension.stated->decimals};
   const std::optional<double> measured = measured_size(dimension, view);
   if (!number || !measured) return std::nullopt;
-  const std::string text = dimension.text.empty() ? format_with_zeros(number->value, number->decimals) : dimension.text;
-  return StatedSize{number->value, *measured, std::pow(10.0, -number->decimals) / 2, text};
+  return StatedSize{number->value, *measured, std::pow(10.0, -number->decimals) / 2};
 }
 
 std::string text_of(const AnchoredDimension& dimension, const DimensionsInView& view, const Notation& notation) {
@@ -116,7 +115,10 @@ std::string text_of(const AnchoredDimension& dimension, const DimensionsInView& 
   const char* sign = dimension.type == DimensionType::radius     ? "R"
                      : dimension.type == DimensionType::diameter ? "⌀"
                                                                  : "";
-  return text.replace(at, value.size(), sign + length_text(*measured, notation) + (is_angle ? "°" : ""));
+  std::string number = is_angle ? angle_text(*measured, notation) : length_text(*measured, notation);
+  if (const auto& stated = dimension.stated)
+    number = format_with_zeros(stated->value, stated->decimals) + (is_angle ? "°" : "");
+  return text.replace(at, value.size(), sign + number);
 }
 
 }  // namespace epura::sheet

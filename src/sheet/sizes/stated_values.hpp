@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sheet/notation.hpp"
-#include "sizes/coverage.hpp"
+#include "sizes/dimensions_in_view.hpp"
 
 namespace epura::sheet {
 
@@ -25,8 +25,7 @@ std::vector<NotedNumber> noted_numbers(std::string text, const Notation& notatio
 /// Lengths, radii and diameters in mm, angles in degrees.
 struct StatedSize {
   double stated, measured;
-  double slack;      ///< half a unit of its last digit
-  std::string text;  ///< as it is written
+  double slack;  ///< half a unit of its last digit
 };
 
 /// The value of a text that is one number, with its count, sign and tolerance or without; and what the part has there.

@@ -124,7 +124,8 @@ TEST_F(LintAxes, OfRestraintHaveWhatFollowsFromWhat) {
   const Outcome run = lint(ends_of_slope() + rest);
   EXPECT_EQ(run.code, 1) << run.out << run.err;
   EXPECT_EQ(found()["axes"]["restraint"]["faults"].number(), 2) << "10 along x is there twice: " << run.out;
-  EXPECT_TRUE(contains(run.out, "follows from others: 10 in view 'front' follows from 60 and 50; put")) << run.out;
+  EXPECT_TRUE(contains(run.out, "follows from others: '10' in view 'front' follows from '60' and '50'; put"))
+      << run.out;
   const Schema schema(read_file(root() / "src/run/app/lint.schema.json"));
   EXPECT_EQ(schema.fault_of(found()), "");
   const Outcome in_brackets = lint(ends_of_slope() + rest + "text = '(<>)'\n");

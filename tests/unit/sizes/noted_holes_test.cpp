@@ -87,9 +87,7 @@ TEST(NotedHoles, StatedValuesAreNamedAsTheyAreWritten) {
   length.points = {{0, 0, 0}, {50, 0, 0}};
   for (const auto& [decimals, text] : {std::pair(0, "50"), std::pair(1, "50.0"), std::pair(3, "50.000")}) {
     length.stated = scene::StatedValue{50, decimals};
-    const auto size = sheet::stated_size(length, view);
-    ASSERT_TRUE(size.has_value());
-    EXPECT_EQ(size->text, text);
+    EXPECT_EQ(sheet::text_of(length, view, {}), text);
   }
 }
 

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// The dimensions of a view, in the world.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "projection/projection.hpp"
+#include "sizes/anchors.hpp"
+
+namespace epura::sheet {
+
+struct DimensionsInView {
+  std::string view;
+  projection::Projection projection;
+  std::vector<AnchoredDimension> dimensions;  ///< in the world, where an aligned section turns nothing
+  std::optional<Vec3> turned_about{};  ///< of an aligned section: the direction in which lengths stay as they are
+};
+
+/// Whether is_wanted(dimension) holds for one in any view.
+template <class IsWanted>
+bool any_dimension(std::span<const DimensionsInView> views, const IsWanted& is_wanted) {
+  return std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
+    return std::any_of(view.dimensions.begin(), view.dimensions.end(), is_wanted);
+  });
+}
+
+}  // namespace epura::sheet
