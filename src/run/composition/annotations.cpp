@@ -141,6 +141,24 @@ void append(std::vector<Element>& to, std::vector<Element> more) {
   std::move(more.begin(), more.end(), std::back_inserter(to));
 }
 
+// What somebody asked for in each view, if there is one sheet.
+std::optional<std::vector<sheet::DimensionsInView>> given_dimensions(const world::World& world,
+                                                                     const scene::SceneDescription& scene,
+                                                                     const SheetOfViews& sheet,
+                                                                     std::span<const view::ProjectedScene> seen) {
+  if (scene.sheets.size() > 1) return std::nullopt;
+  std::vector<sheet::DimensionsInView> views;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    std::vector<scene::DimensionDescription> own;
+    for (const scene::DimensionDescription& one : scene.dimensions)
+      if (!is_open(one) && !one.match.given() && view_of(one, scene) == *sheet.descriptions[i].name) own.push_back(one);
+    if (own.empty() || sheet.plans[i].options.exploded) continue;
+    views.push_back({*sheet.descriptions[i].name, seen[i].projection, sheet::find_anchors(world, own)});
+    if (const auto& turned = sheet.plans[i].options.turned) views.back().turned_about = turned->axis();
+  }
+  return views;
+}
+
 // Automatic dimensions of which the scene says more are asked for: little room is no reason to leave them out.
 void match_found(std::vector<std::vector<scene::DimensionDescription>>& found, std::vector<Annotations>& annotations,
                  const world::World& world, const scene::SceneDescription& scene,
@@ -218,8 +236,8 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
         }
         if (*dimension.type == DimensionType::overall)
           return sheet::overall_dimensions(dimension, projections, *extents);
-        sheet::AutomaticPlan plan =
-            sheet::automatic_dimensions(dimension, projections, {world, features(), *extents}, notation);
+        sheet::AutomaticPlan plan = sheet::automatic_dimensions(dimension, projections, {world, features(), *extents},
+                                                                notation, given_dimensions(world, scene, sheet, seen));
         keep_rest(plan, annotations, views);
         return std::move(plan.dimensions);
       };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <map>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "sizes/axis_positions.hpp"
 #include "sizes/cone_dimensions.hpp"
 #include "sizes/cylinder_dimensions.hpp"
+#include "sizes/free_face_dimensions.hpp"
 #include "sizes/hexagon_widths.hpp"
 #include "sizes/hole_dimensions.hpp"
 #include "sizes/planning.hpp"
@@ -128,21 +130,52 @@ Planned without_excess(Planned planned) {
   return planned;
 }
 
+Planned with_positions(const Planning& plan, const Planned& planned) {
+  Planned all = planned;
+  all.append(position_dimensions(plan, planned));
+  return all;
+}
+
+// What a sheet says with automatic dimensions beside those that are given.
+std::vector<DimensionsInView> with_others(std::span<const DimensionsInView> given,
+                                          const std::vector<DimensionDescription>& dimensions,
+                                          std::span<const NamedProjection> views, const world::World& world) {
+  std::vector<DimensionsInView> all(given.begin(), given.end());
+  for (const NamedProjection& view : views) {
+    std::vector<DimensionDescription> own;
+    std::copy_if(dimensions.begin(), dimensions.end(), std::back_inserter(own),
+                 [&](const DimensionDescription& one) { return *one.view == view.name; });
+    all.push_back({view.name, view.projection, find_anchors(world, own)});
+    if (view.aligned()) all.back().turned_about = view.section->axis();
+  }
+  return all;
+}
+
 }  // namespace
 
 AutomaticPlan automatic_dimensions(const DimensionDescription& wanted, std::span<const NamedProjection> views,
-                                   const DimensionSubject& subject, const Notation& notation) {
+                                   const DimensionSubject& subject, const Notation& notation,
+                                   const std::optional<std::vector<DimensionsInView>>& given) {
   if (wanted.tolerance.given() || wanted.limits.given())
     throw Error(ErrorKind::input, wanted.tolerance.given() ? wanted.tolerance.where : wanted.limits.where,
                 "automatic dimensions have no common tolerance",
                 "add a [[dimension]] for the size, or general_tolerance to the [title_block]");
   const Planning plan(wanted, views, subject, notation);
   Planned planned = dimensions_of_features(plan, views);
-  planned.append(position_dimensions(plan, planned));
-  for (const DimensionDescription& dimension : planned.dimensions)
+  Planned all = with_positions(plan, planned);
+  Planned missing;
+  if (given && !wanted.view.given())
+    missing = dimensions_of_free_faces(plan, with_others(*given, all.dimensions, views, subject.world));
+  if (!missing.dimensions.empty() || !missing.places.empty()) {
+    // Before places that are thought to be known.
+    std::swap(planned.places, missing.places);
+    planned.append(std::move(missing));
+    all = with_positions(plan, planned);
+  }
+  for (const DimensionDescription& dimension : all.dimensions)
     check(dimension.view.given() && dimension.type.given(), "an automatic dimension has a type and a view");
-  planned = without_excess(std::move(planned));
-  return {std::move(planned.dimensions), std::move(planned.tables), std::move(planned.omitted)};
+  all = without_excess(std::move(all));
+  return {std::move(all.dimensions), std::move(all.tables), std::move(all.omitted)};
 }
 
 }  // namespace epura::sheet

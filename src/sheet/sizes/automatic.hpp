@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "features/part_features.hpp"
 #include "features/true_extents.hpp"
 #include "sheet/notation.hpp"
+#include "sizes/dimensions_in_view.hpp"
 #include "sizes/hole_table.hpp"
 #include "sizes/overall.hpp"
 
@@ -54,9 +56,11 @@ struct AutomaticPlan {
 ///   "3× 20 (=60)"; holes on a pitch circle or about an axis have angles where they are uneven or askew
 /// If an arrangement is wanted, positions along one axis are one row of dimensions. If a table of holes is wanted,
 /// holes seen along their axes have labels instead of these, and pitch circles nothing. Sizes that no view shows in
-/// true length are omitted. The first of the views that show a feature equally well counts. Throws Error{input} if no
-/// view shows a size of the models.
+/// true length are omitted. The first of the views that show a feature equally well counts. Last come dimensions of
+/// faces that all these, and those that are `given`, leave free (free_face_dimensions.hpp); none if one view is wanted,
+/// or if nothing is known of what else is given. Throws Error{input} if no view shows a size of the models.
 AutomaticPlan automatic_dimensions(const scene::DimensionDescription& wanted, std::span<const NamedProjection> views,
-                                   const DimensionSubject& subject, const Notation& notation);
+                                   const DimensionSubject& subject, const Notation& notation,
+                                   const std::optional<std::vector<DimensionsInView>>& given);
 
 }  // namespace epura::sheet

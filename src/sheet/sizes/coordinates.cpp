@@ -172,6 +172,13 @@ Coordinate Coordinates::base_of(const Coordinate& coordinate) const {
   return base;
 }
 
+std::optional<scene::DimensionDescription> Coordinates::distance_to(const Coordinate& coordinate,
+                                                                    const std::string& where) const {
+  const Coordinate base = base_of(coordinate);
+  if (std::abs(coordinate.at - base.at) <= slack_) return std::nullopt;
+  return distance_along(base, coordinate, where);
+}
+
 // The side of its groove or rib that is nearer to the end of the models, if it has a place of its own: the width begins
 // there.
 std::optional<Coordinate> Coordinates::nearer_side(const Coordinate& coordinate) const {

@@ -54,6 +54,9 @@ class Coordinates {
   /// same place in one view, those nearest to the dimension line count.
   void add(const Coordinate& coordinate);
 
+  /// The dimension of one from where it is measured; nothing if it is there.
+  [[nodiscard]] std::optional<scene::DimensionDescription> distance_to(const Coordinate& coordinate,
+                                                                       const std::string& where) const;
   /// Dimensions of all coordinates in the arrangement that is wanted; without one, parallel, and with a common origin
   /// where these would be more than `max_parallel`. Parallel ones give grooves and ribs a place and a width.
   [[nodiscard]] std::vector<scene::DimensionDescription> dimensions(const scene::DimensionDescription& wanted,

@@ -259,6 +259,19 @@ const NamedProjection* view_of_level(const features::LevelFeature& level, const 
 
 }  // namespace
 
+std::optional<Coordinate> coordinate_of(const features::LevelFeature& level, const ViewChoice& views,
+                                        const std::vector<Vec3>& all_points, double slack) {
+  const NamedProjection* view = view_of_level(level, views, all_points, slack);
+  if (view == nullptr) return std::nullopt;
+  const bool horizontal = std::abs(view->projection.u[level.axis]) > 0.5;
+  const Vec3 towards = horizontal ? -view->projection.v : view->projection.u;
+  const std::vector<Vec3> points = points_shown(level, *view);
+  const auto [high, low] = std::minmax_element(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) {
+    return glm::dot(a, towards) < glm::dot(b, towards);
+  });
+  return Coordinate{view, level.axis, level.at, *low, -1, *high, level.other_side, level.partner};
+}
+
 double min_area(const Box& box) {
   const Vec3 size = box.size();
   const double largest = std::max({size.x, size.y, size.z}), least = std::min({size.x, size.y, size.z});
@@ -270,18 +283,10 @@ Planned level_positions(const DimensionSubject& subject, const ViewChoice& views
   const std::vector<Vec3> all_points = features::points_of_faces(subject.world);
   const double slack = features::same_size * glm::length(box.size());
   std::map<std::pair<std::string, int>, std::vector<std::pair<double, Coordinate>>> by_view;
-  for (const features::LevelFeature& level : subject.features.levels) {
-    const NamedProjection* view = view_of_level(level, views, all_points, slack);
-    if (view == nullptr || known.is_known(level.axis, level.at) || level.area < min_area(box)) continue;
-    const bool horizontal = std::abs(view->projection.u[level.axis]) > 0.5;
-    const Vec3 towards = horizontal ? -view->projection.v : view->projection.u;
-    const std::vector<Vec3> points = points_shown(level, *view);
-    const auto [high, low] = std::minmax_element(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) {
-      return glm::dot(a, towards) < glm::dot(b, towards);
-    });
-    by_view[{view->name, level.axis}].emplace_back(
-        -level.area, Coordinate{view, level.axis, level.at, *low, -1, *high, level.other_side, level.partner});
-  }
+  for (const features::LevelFeature& level : subject.features.levels)
+    if (!known.is_known(level.axis, level.at) && level.area >= min_area(box))
+      if (const auto coordinate = coordinate_of(level, views, all_points, slack))
+        by_view[{coordinate->view->name, level.axis}].emplace_back(-level.area, *coordinate);
   Planned planned;
   for (auto& [key, levels] : by_view) {
     check(!levels.empty(), "a view has the steps for which it was chosen");

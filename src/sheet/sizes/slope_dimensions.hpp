@@ -41,6 +41,11 @@ bool are_equal(const features::BevelFeature& a, const features::BevelFeature& b)
 /// those of the largest ones first.
 Planned slope_dimensions(const Planning& plan);
 
+/// The place of a step along its axis, in the view that shows it best; nothing if none does. `all_points` are those of
+/// the models.
+std::optional<Coordinate> coordinate_of(const features::LevelFeature& level, const ViewChoice& views,
+                                        const std::vector<Vec3>& all_points, double slack);
+
 /// The area below which a face is no step or slope to be dimensioned, for models in a box.
 double min_area(const Box& box);
 

@@ -45,7 +45,8 @@ class DimensionedPart {
     const features::PartFeatures features = features::features_to_dimension(world_);
     scene::DimensionDescription wanted;
     wanted.type = {DimensionType::automatic, ""};
-    const auto plan = sheet::automatic_dimensions(wanted, views, {world_, features, extents_}, {});
+    const auto plan = sheet::automatic_dimensions(wanted, views, {world_, features, extents_}, {},
+                                                  std::vector<sheet::DimensionsInView>());
     for (const sheet::NamedProjection& view : views) {
       std::vector<scene::DimensionDescription> own;
       for (const scene::DimensionDescription& one : plan.dimensions)

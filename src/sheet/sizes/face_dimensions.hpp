@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dimensions that can be given of a face, whatever feature it belongs to.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "sizes/planning.hpp"
+#include "sizes/sheet_reading.hpp"
+#include "world/placed_part.hpp"
+
+namespace epura::sheet {
+
+/// What a dimension measures of a face; the first is what an office would rather give.
+enum class Measure : unsigned char { size, place, angle, edge, width };
+
+struct FaceDimension {
+  Measure measure;
+  Planned planned;  ///< one dimension or place
+};
+
+class FaceDimensions {
+ public:
+  /// Of the only model. It refers to what it is given.
+  FaceDimensions(const Planning& plan, const SheetReading& reading);
+
+  /// All that views show in true form.
+  [[nodiscard]] std::vector<FaceDimension> of(int face) const;
+  /// The faces that touch one, in the order of their contacts; a face may be there twice.
+  [[nodiscard]] std::vector<int> beside(int face) const;
+
+ private:
+  [[nodiscard]] const definition::Face& face_of(int number) const {
+    return reading_.drawn.part.faces[static_cast<std::size_t>(number)];
+  }
+  [[nodiscard]] std::vector<Vec3> points_of(int face) const;
+  void add_size(std::vector<FaceDimension>& found, int face) const;
+  void add_tube(std::vector<FaceDimension>& found, int face) const;
+  void add_ball(std::vector<FaceDimension>& found, int face) const;
+  void add_places(std::vector<FaceDimension>& found, int face) const;
+  void add_angles(std::vector<FaceDimension>& found, int face) const;
+  void add_cone_angle(std::vector<FaceDimension>& found, int face) const;
+  void add_rims(std::vector<FaceDimension>& found, int face) const;
+  void add_edges(std::vector<FaceDimension>& found, int face) const;
+  void add_widths(std::vector<FaceDimension>& found, int face) const;
+  void add(std::vector<FaceDimension>& found, Measure measure, scene::DimensionDescription dimension) const;
+
+  const Planning& plan_;
+  const SheetReading& reading_;
+  std::optional<world::PlacedPart> part_;
+  std::vector<Vec3> all_points_;
+  std::vector<std::vector<int>> contacts_;  // of each face, their numbers
+  double slack_;
+};
+
+}  // namespace epura::sheet
