@@ -11,6 +11,7 @@
 
 #include "model.hpp"
 #include "part21.hpp"
+#include "requirements.hpp"
 
 namespace occt {
 
@@ -82,7 +83,7 @@ class StepCounter {
     std::set<Thing> things;
     for (const Record& record : statement.records) {
       if (const Thing* thing = thing_of(record.keyword)) things.insert(*thing);
-      if (record.keyword == "DRAUGHTING_CALLOUT") ++callouts_;
+      note_meaning(statement.number, record);
       if (is_unread_requirement(record.keyword)) ++unread_[std::string(record.keyword)];
       if (record.keyword == "PRESENTATION_LAYER_ASSIGNMENT") layers_.insert(statement.number);
       if (record.keyword == "INVISIBILITY") note_hidden(record.arguments);
@@ -93,11 +94,12 @@ class StepCounter {
   }
 
   [[nodiscard]] std::vector<std::string> sentences() const {
-    Counts counts = counts_;
-    // A callout is one or several annotations that belong together.
-    if (callouts_ > 0) counts[Thing::annotation] = callouts_;
     std::vector<std::string> sentences;
-    if (std::string sentence = sentence_of(counts); !sentence.empty()) sentences.push_back(std::move(sentence));
+    if (std::string sentence = sentence_of(counts_); !sentence.empty()) sentences.push_back(std::move(sentence));
+    if (const std::size_t count = meaningless(); count > 0)
+      sentences.push_back(counted(count, "annotation") + " of the file " +
+                          (count == 1 ? "is a picture" : "are pictures") +
+                          " without a meaning that is read: not drawn");
     std::string unread;
     for (const auto& [keyword, count] : unread_)
       unread += (unread.empty() ? "" : ", ") + std::to_string(count) + " " + keyword;
@@ -119,18 +121,37 @@ class StepCounter {
 
  private:
   const Thing* thing_of(std::string_view keyword) {
-    static constexpr std::array<std::pair<std::string_view, Thing>, 7> exact{
+    static constexpr std::array<std::pair<std::string_view, Thing>, 3> exact{
         {{"CAMERA_MODEL_D3", Thing::view},
          {"CAMERA_MODEL_D3_MULTI_CLIPPING", Thing::view},
-         {"CONSTRUCTIVE_GEOMETRY_REPRESENTATION", Thing::construction},
-         {"ANNOTATION_OCCURRENCE", Thing::annotation},
-         {"DRAUGHTING_ANNOTATION_OCCURRENCE", Thing::annotation},
-         {"ANNOTATION_CURVE_OCCURRENCE", Thing::annotation},
-         {"TESSELLATED_ANNOTATION_OCCURRENCE", Thing::annotation}}};
+         {"CONSTRUCTIVE_GEOMETRY_REPRESENTATION", Thing::construction}}};
     static constexpr Thing triangles = Thing::triangles;
     if (is_of_triangles(keyword)) return &triangles;
     const auto found = std::find_if(exact.begin(), exact.end(), [&](const auto& row) { return row.first == keyword; });
     return found == exact.end() ? nullptr : &found->second;
+  }
+
+  // Which pictures there are, and which of them show a requirement.
+  void note_meaning(unsigned long long number, const Record& record) {
+    constexpr std::array<std::string_view, 4> kinds{"ANNOTATION_OCCURRENCE", "DRAUGHTING_ANNOTATION_OCCURRENCE",
+                                                    "ANNOTATION_CURVE_OCCURRENCE", "TESSELLATED_ANNOTATION_OCCURRENCE"};
+    const std::string_view keyword = record.keyword;
+    if (keyword == "DRAUGHTING_CALLOUT") callouts_.insert(number);
+    if (std::find(kinds.begin(), kinds.end(), keyword) != kinds.end()) annotations_.insert(number);
+    if (keyword == "DATUM_FEATURE" || is_dimension(keyword) || is_tolerance(keyword) || is_datum(keyword))
+      requirements_.insert(number);
+    if (!keyword.starts_with("DRAUGHTING_MODEL_ITEM_ASSOCIATION")) return;
+    const std::vector<std::string_view> arguments = separated(record.arguments);
+    if (arguments.size() > 4) shown_by_.emplace(reference_in(arguments[4]), reference_in(arguments[2]));
+  }
+
+  // A callout is one or several annotations that belong together.
+  [[nodiscard]] std::size_t meaningless() const {
+    const auto& pictures = callouts_.empty() ? annotations_ : callouts_;
+    return static_cast<std::size_t>(std::count_if(pictures.begin(), pictures.end(), [this](unsigned long long picture) {
+      const auto [first, last] = shown_by_.equal_range(picture);
+      return std::none_of(first, last, [this](const auto& pair) { return requirements_.contains(pair.second); });
+    }));
   }
 
   void note_hidden(std::string_view arguments) {
@@ -145,8 +166,9 @@ class StepCounter {
   }
 
   Counts counts_;
-  std::size_t callouts_ = 0;
-  std::map<std::string, std::size_t> unread_;  ///< entities that say more of requirements
+  std::set<unsigned long long> callouts_, annotations_, requirements_;
+  std::multimap<unsigned long long, unsigned long long> shown_by_;  ///< what annotations and callouts show
+  std::map<std::string, std::size_t> unread_;                       ///< entities that say more of requirements
   std::set<unsigned long long> layers_, hidden_, bodies_;
   std::map<unsigned long long, unsigned long long> styled_;  ///< what styled items style
 };

@@ -274,6 +274,25 @@ TEST(Requirements, WhatCannotBeReadIsSaid) {
             1);
 }
 
+// A picture of a requirement is not lost with it; others are.
+TEST(Requirements, PicturesWithoutAMeaningAreCounted) {
+  const std::string callouts =
+      "#9001=DIMENSIONAL_SIZE(#10,'diameter');\n#9002=ANNOTATION_CURVE_OCCURRENCE('',(),#200);\n"
+      "#9003=ANNOTATION_CURVE_OCCURRENCE('',(),#200);\n#9004=DRAUGHTING_CALLOUT('a',(#9002));\n"
+      "#9005=DRAUGHTING_CALLOUT('b',(#9003));\n#9006=DRAUGHTING_MODEL_ITEM_ASSOCIATION('','',#9001,#50,#9004);\n"
+      "#9007=DRAUGHTING_MODEL_ITEM_ASSOCIATION('','',#10,#50,#9005);\n";
+  const auto pictures = [](const std::string& statements) {
+    std::string found;
+    for (const std::string& note : read(statements).mesh.report.notes)
+      if (contains(note, "annotation")) found += note;
+    return found;
+  };
+  EXPECT_EQ(pictures(callouts), "1 annotation of the file is a picture without a meaning that is read: not drawn");
+  EXPECT_EQ(pictures(callouts.substr(0, callouts.find("#9006="))),
+            "2 annotations of the file are pictures without a meaning that is read: not drawn");
+  EXPECT_EQ(pictures("#9001=DIMENSIONAL_SIZE(#10,'diameter');\n"), "");
+}
+
 TEST(Requirements, ADatumReferenceToItselfIsSaid) {
   const ReadModel model = read(
       "#1120=DATUM_REFERENCE_COMPARTMENT('','',#10,.F.,COMMON_DATUM_LIST((#1121)),$);\n"
