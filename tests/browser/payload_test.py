@@ -121,7 +121,7 @@ def quoted(text):
 
 
 FIELDS = ("title supplementary_title owner number date creator approver document_type revision status department "
-          "technical_reference classification language material mass general_tolerance").split()
+          "technical_reference classification language material mass general_tolerance standard").split()
 
 
 def scene_of(payload, model):

@@ -24,6 +24,7 @@ const std::vector<TitleField>& title_fields() {
       {"material", "material of the part"},
       {"mass", "mass of the part, with unit; auto: from its volume and density"},
       {"general_tolerance", "general tolerances, such as ISO 2768-m or ISO 22081, for sizes without one of their own"},
+      {"standard", "standard of dimensions and tolerances, such as ISO 8015 or ASME Y14.5"},
   };
   return fields;
 }

@@ -19,7 +19,7 @@ struct CaptionRow {
   std::array<std::string_view, languages.size()> words;
 };
 
-constexpr std::array<CaptionRow, 32> rows{{
+constexpr std::array<CaptionRow, 33> rows{{
     {"owner",
      {"Legal owner", "Gesetzlicher Eigentümer", "Propriétaire légal", "Propietario legal", "Proprietário legal",
       "法的所有者"}},
@@ -51,6 +51,7 @@ constexpr std::array<CaptionRow, 32> rows{{
     {"general_tolerance",
      {"General tolerances", "Allgemeintoleranzen", "Tolérances générales", "Tolerancias generales",
       "Tolerâncias gerais", "普通公差"}},
+    {"standard", {"Standard", "Norm", "Norme", "Norma", "Norma", "規格"}},
     {"scale", {"Scale", "Maßstab", "Échelle", "Escala", "Escala", "尺度"}},
     {"size", {"Size", "Format", "Format", "Formato", "Formato", "用紙"}},
     {"hole", {"Hole", "Bohrung", "Trou", "Agujero", "Furo", "穴"}},

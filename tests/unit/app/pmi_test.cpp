@@ -404,6 +404,13 @@ TEST_F(Pmi, LintSaysWhereTheyAre) {
   EXPECT_EQ(lost["reason"].text, "not read: a value, a face that it belongs to");
 }
 
+TEST_F(Pmi, TheTitleBlockNamesTheStandard) {
+  EXPECT_EQ(draw_box(height, {"--pmi", "all", "--standard", "ASME Y14.5-2018", "--frame", "full"}).code, 0);
+  EXPECT_IMPORTER();
+  EXPECT_EQ(says("ASME Y14.5-2018"), 1);
+  EXPECT_EQ(says("Standard"), 1);
+}
+
 TEST_F(Pmi, AFaceThatNoViewShowsIsAReason) {
   folder_.file("part.step", step_box({40, 30, 20}, height));
   const Outcome drawn =
