@@ -31,6 +31,8 @@ FINE = 0.005  # mm between the faces and the triangles that hide
 ASIDE = 0.01  # mm from a line to the rays beside it
 NEARER = 0.1  # mm nearer to the viewer is in front: more than faces of 84 degrees rise over ASIDE, and than FINE
 SAME = 0.02  # mm between lines that are one
+POINTS_AT_ONCE = 4000  # at each of which some triangles are tried
+CELLS_OF_LARGE = 16  # over as many cells of the page, a triangle is tried at all points near it instead
 GRID = 64  # cells of a face along u and v, in each of which an outline is straight
 USUAL_FINENESS = 1500  # diagonal / deflection of the STL file, as in bench/parts
 
@@ -45,28 +47,58 @@ class Hiding:
         self.area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
         facing = numpy.abs(self.area) > 1e-9
         self.corners, self.area = corners[facing], self.area[facing]
+        self.sort_into_cells()
+
+    def sort_into_cells(self):
+        """The numbers of the triangles over each cell of the page, one cell after the other."""
+        low, high = self.corners[:, :, :2].min(1), self.corners[:, :, :2].max(1)
+        self.cells = int(min(256, max(16, len(low) ** 0.5 / 2)))
+        self.origin, self.width = low.min(0), (high.max(0) - low.min(0)) / self.cells
+        first, last = self.cell_at(low), self.cell_at(high)
+        across = last - first + 1
+        self.large = numpy.nonzero(across.prod(1) > CELLS_OF_LARGE)[0]
+        count = numpy.where(across.prod(1) > CELLS_OF_LARGE, 0, across.prod(1))
+        triangle = numpy.repeat(numpy.arange(len(low)), count)
+        nth = numpy.arange(len(triangle)) - numpy.repeat(numpy.cumsum(count) - count, count)
+        y, x = numpy.divmod(nth, across[triangle, 0])
+        cell = (first[triangle, 1] + y) * self.cells + first[triangle, 0] + x
+        self.over_cells = triangle[numpy.argsort(cell, kind="stable")]
+        self.first_over = numpy.concatenate(([0], numpy.cumsum(numpy.bincount(cell, minlength=self.cells ** 2))))
+
+    def cell_at(self, points):
+        return numpy.clip(((points - self.origin) / self.width).astype(int), 0, self.cells - 1)
 
     def depth(self, points):
         """Of the nearest triangle at each point, -infinity where there is none."""
-        order = numpy.argsort(points[:, 0])
-        across, sorted_points = points[order, 0], points[order]
         nearest = numpy.full(len(points), -numpy.inf)
-        firsts = numpy.searchsorted(across, self.corners[:, :, 0].min(1))
-        lasts = numpy.searchsorted(across, self.corners[:, :, 0].max(1), "right")
+        order = numpy.argsort(points[:, 0])
+        across = points[order, 0]
+        low, high = self.corners[self.large, :, :2].min(1), self.corners[self.large, :, :2].max(1)
+        firsts, lasts = numpy.searchsorted(across, low[:, 0]), numpy.searchsorted(across, high[:, 0], "right")
         for i in numpy.nonzero(firsts < lasts)[0]:
-            corners, area, first, last = self.corners[i], self.area[i], firsts[i], lasts[i]
-            p = sorted_points[first:last]
-            weights = []
-            for k in range(3):
-                q, r = corners[(k + 1) % 3], corners[(k + 2) % 3]
-                weights.append(((q[0] - p[:, 0]) * (r[1] - p[:, 1]) - (q[1] - p[:, 1]) * (r[0] - p[:, 0])) / area)
-            inside = (weights[0] >= 0) & (weights[1] >= 0) & (weights[2] >= 0)
-            z = sum(weight * corner[2] for weight, corner in zip(weights, corners))
-            part = nearest[first:last]
-            part[inside] = numpy.maximum(part[inside], z[inside])
-        result = numpy.empty(len(points))
-        result[order] = nearest
-        return result
+            at = order[firsts[i]:lasts[i]]
+            at = at[(points[at, 1] >= low[i, 1]) & (points[at, 1] <= high[i, 1])]
+            inside, z = self.heights(numpy.full(len(at), self.large[i]), points[at])
+            nearest[at[inside]] = numpy.maximum(nearest[at[inside]], z)
+        for begin in range(0, len(points), POINTS_AT_ONCE):
+            part = points[begin:begin + POINTS_AT_ONCE]
+            cell = self.cell_at(part) @ (1, self.cells)
+            count = self.first_over[cell + 1] - self.first_over[cell]
+            point = numpy.repeat(numpy.arange(len(part)), count)
+            at = numpy.arange(len(point)) - numpy.repeat(numpy.cumsum(count) - count, count)
+            inside, z = self.heights(self.over_cells[self.first_over[cell][point] + at], part[point])
+            numpy.maximum.at(nearest, begin + point[inside], z)
+        return nearest
+
+    def heights(self, triangles, points):
+        """Which of the points lie in their triangles, and how high those do."""
+        corners, area = self.corners[triangles], self.area[triangles]
+        weights = []
+        for k in range(3):
+            q, r = corners[:, (k + 1) % 3], corners[:, (k + 2) % 3]
+            weights.append(((q[:, 0] - points[:, 0]) * (r[:, 1] - points[:, 1]) - (q[:, 1] - points[:, 1]) * (r[:, 0] - points[:, 0])) / area)
+        inside = (weights[0] >= 0) & (weights[1] >= 0) & (weights[2] >= 0)
+        return inside, sum(weight * corners[:, k, 2] for k, weight in enumerate(weights))[inside]
 
     def split(self, lines):
         """The visible and the hidden pieces of each line, rows x0 y0 x1 y1: hidden is what has something in front of both its sides."""
