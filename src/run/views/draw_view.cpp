@@ -73,8 +73,8 @@ struct Candidates {
 
 // Fraction of the time, for excluding bodies from the search for intersections.
 constexpr double part_for_candidates = 0.25;
-// Fraction of the time for lines; the rest is for drawing them.
-constexpr double part_for_hiding = 0.7;
+// Fraction of the time for lines; the rest is for drawing them. Hiding takes it whole only where it ends in it.
+constexpr double part_for_hiding = 0.9;
 
 std::string why_searched(const world::World& world, const ViewOptions& options, std::size_t candidates) {
   const std::string all = std::to_string(world.triangles.size());

@@ -48,5 +48,7 @@ inline constexpr double max_pairs = 1 << 15;
 inline constexpr double many_pairs = 1 << 22;
 /// Part of the pairs: a division that leaves more is idle.
 inline constexpr double worthwhile = 0.5;
+/// Of the time for hiding, after which a search goes on only if it will end in the rest: at about its speed, it does.
+inline constexpr double first_part_of_the_time = 7.0 / 9;
 
 }  // namespace epura::visibility

@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "visibility/in_sight.hpp"
+#include "visibility/limits.hpp"
 #include "visibility/occluders.hpp"
 #include "visibility/occlusion_query.hpp"
 #include "visibility/spans.hpp"
@@ -76,6 +77,36 @@ void put_in_order(const std::vector<Spans>& found, const std::vector<int>& order
   }
 }
 
+/// Tells for all threads whether a stage may go on: for the first part of its time, and longer if it will end in time.
+class Speed {
+ public:
+  Speed(const Progress& progress, std::size_t work)
+      : progress_(progress),
+        first_(progress.with_part_of_the_time(first_part_of_the_time)),
+        begun_(now()),
+        work_(static_cast<double>(work)) {}
+
+  void advance() { done_.fetch_add(1, std::memory_order_relaxed); }
+  /// False for all threads once it is for one.
+  [[nodiscard]] bool has_time() {
+    if (!is_over_ && first_.is_out_of_time() && (progress_.is_out_of_time() || !will_end())) is_over_ = true;
+    return !is_over_;
+  }
+
+ private:
+  [[nodiscard]] double now() const { return progress_.with_part_of_the_time(0).time_limit().value_or(0); }
+  [[nodiscard]] bool will_end() const {
+    const double at = now(), done = static_cast<double>(done_.load(std::memory_order_relaxed));
+    return done > 0 && at + (at - begun_) * (work_ - done) / done <= progress_.time_limit().value_or(at);
+  }
+
+  const Progress& progress_;
+  Progress first_;
+  double begun_, work_;
+  std::atomic<std::size_t> done_ = 0;
+  std::atomic<bool> is_over_ = false;
+};
+
 // Decides edges by `spans_of(edge)`; with a time limit, the longest first while time remains.
 template <class SpansOf>
 HiddenSpans decide(const view::ProjectedScene& view, const edges::FeatureEdges& drawn, const SpansOf& spans_of,
@@ -87,15 +118,17 @@ HiddenSpans decide(const view::ProjectedScene& view, const edges::FeatureEdges& 
   std::vector<Spans> found((count + edges_at_once - 1) / edges_at_once);
   std::vector<char> decided(count, 0);
   std::atomic<std::size_t> next = 0;
+  Speed speed(progress, count);
   parallel_for(found.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t turn = first; turn < last; ++turn) {
       const std::size_t part = next++;  // in order, whichever edges_at_once a thread was given
       const std::size_t end = std::min((part + 1) * edges_at_once, count);
-      for (std::size_t i = part * edges_at_once; i < end && !progress.is_out_of_time(); ++i) {
+      for (std::size_t i = part * edges_at_once; i < end && speed.has_time(); ++i) {
         const Spans spans = spans_of(drawn.edges[order[i]]);
         hidden.first[order[i] + 1] = spans.size();
         found[part].insert(found[part].end(), spans.begin(), spans.end());
         decided[order[i]] = 1;
+        speed.advance();
       }
       progress.advance(end - part * edges_at_once);
     }
@@ -192,12 +225,13 @@ void add_hidden_by_facets(const std::vector<int>& numbers, const SpansOf& with_f
 HiddenSpans find_hidden(const world::World& world, const view::ProjectedScene& view, const edges::FeatureEdges& drawn,
                         Progress progress) {
   progress.begin("finding occluders");
-  const OccluderGrid occluders(world, view, drawn.edges, Covers::any, progress);
+  const Progress search = progress.with_part_of_the_time(first_part_of_the_time);
+  const OccluderGrid occluders(world, view, drawn.edges, Covers::any, search);
   const std::vector<int> numbers = clear_edges(world, drawn);
   std::vector<edges::FeatureEdge> clear;
   for (const int e : numbers) clear.push_back(drawn.edges[e]);
   std::optional<OccluderGrid> uncovered;
-  if (!clear.empty()) uncovered.emplace(world, view, clear, Covers::none, progress);
+  if (!clear.empty()) uncovered.emplace(world, view, clear, Covers::none, search);
   const Occlusion hider{world, view, drawn, occluders, uncovered};
   HiddenSpans hidden = decide(
       view, drawn, [&](const edges::FeatureEdge& edge) { return hider.hidden_spans(edge); }, progress);
