@@ -36,7 +36,7 @@ if(TARGET epura-faults)
   set_tests_properties(faults PROPERTIES TIMEOUT 900)
 endif()
 # In a browser, where there is one (package chromium).
-foreach(test page payload element play)
+foreach(test page payload element play tree)
   add_test(NAME ${test}_in_browser COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/browser/${test}_test.py
            $<TARGET_FILE:epura> ${CMAKE_BINARY_DIR}/share/epura/epura-drawing.js ${CMAKE_BINARY_DIR}/tests/bad-plugins)
   set_tests_properties(${test}_in_browser PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)

@@ -73,6 +73,24 @@ TEST_P(Golden, IsFoundRight) {
 INSTANTIATE_TEST_SUITE_P(Cases, Golden, testing::ValuesIn(golden_cases()),
                          [](const auto& of) { return test_name(of.param); });
 
+// What sheets say of themselves: features, threads, an assembly in German, tables, sections and details.
+class GoldenDescription : public testing::TestWithParam<std::string> {};
+
+TEST_P(GoldenDescription, IsTold) {
+  const Folder folder;
+  const fs::path actual = folder / "description.txt";
+  std::vector<std::string> arguments = golden_arguments(GetParam());
+  arguments.front() = "describe";
+  const Outcome run = epura(arguments, root(), actual.string());
+  ASSERT_EQ(run.code, 0) << run.err;
+  expect_or_accept(golden_folder(GetParam()) / "description.txt", actual);
+}
+
+INSTANTIATE_TEST_SUITE_P(Cases, GoldenDescription,
+                         testing::Values("sheet-automatic", "sheet-details", "sheet-hole-table", "sheet-parts-list",
+                                         "sheet-sections", "sheet-threads"),
+                         [](const auto& of) { return test_name(of.param); });
+
 // The pictures of docs/projections.md: all projections seen from outside, and a plugin with a mistake.
 class GoldenPicture : public testing::TestWithParam<std::string> {};
 

@@ -66,6 +66,8 @@ std::vector<DefinedCommand> define_commands(CLI::App& program) {
                      lint_options, lint),
       define_command(add("define", "draw, and prove that the numbers on the sheets define the part"), define_options,
                      [](const DrawOptions& options) { return define(options); }),
+      define_command(add("describe", "draw, and say in at most twelve sentences what a sheet shows"), draw_options,
+                     describe_drawing),
       define_command(add("batch", "draw many models, each in a process of its own, and only those that changed"),
                      batch_options, batch),
       define_command(add("info", "describe a model: size, bodies, faces, holes, repairs"), info_options, info),

@@ -14,6 +14,8 @@ inline constexpr int partial_exit_code = 5;
 int draw(const DrawOptions& options);
 /// Draws, and reports faults of the dimensions.
 int lint(DrawOptions options);
+/// Draws, and says in words what the sheets show.
+int describe_drawing(DrawOptions options);
 /// Draws, and proves that the numbers on the sheets define the part.
 int define(DrawOptions options);
 int plugins(const PluginsOptions& options);

@@ -32,8 +32,8 @@ bool want_facts(const std::vector<pipeline::Target>& targets) {
 }
 
 void expect_outputs(const DrawOptions& options) {
-  const bool asked =
-      !options.run.why.empty() || options.run.dump || options.run.explain || options.run.lint || options.run.rebuild;
+  const bool asked = !options.run.why.empty() || options.run.dump || options.run.explain || options.run.lint ||
+                     options.run.rebuild || options.run.describes;
   if (!asked && options.outputs.empty())
     throw Error(ErrorKind::input, "command line", "--output is required",
                 "write where to draw, such as -o drawing.pdf; see 'epura draw --help'");
@@ -43,6 +43,9 @@ void expect_outputs(const DrawOptions& options) {
                 "write the drawing to a file");
   if (options.measure && options.run.time_limit)
     throw Error(ErrorKind::input, "--measure", "draws several times and cannot be combined with --time-limit",
+                "omit one of them");
+  if (options.vector.plain && options.vector.svg == output::SvgKind::accessible)
+    throw Error(ErrorKind::input, "--svg accessible", "names lines, of which --plain omits the origin",
                 "omit one of them");
   const output::DxfEntities& entities = options.vector.dxf_entities;
   if ((entities.leaders || entities.tables) && options.vector.dxf_version == output::DxfVersion::r2000)
@@ -126,10 +129,13 @@ DrawnFiles draw_within(const DrawOptions& options, const DescribeScene& describe
 
   pipeline::RunOptions run = options.run;
   const bool proves = options.vector.proof != output::Proof::none;
-  run.keeps_drawings = proves || run.hatch_free || want_drawings(targets);
+  const bool is_accessible = options.vector.svg == output::SvgKind::accessible;
+  run.keeps_drawings = proves || is_accessible || run.hatch_free || want_drawings(targets);
+  run.describes = run.describes || is_accessible || options.vector.pdf == output::PdfKind::archive;
+  run.names_features = is_accessible;
   run.verify = run.verify || proves;
   run.lint = run.lint || proves;
-  run.line_facts = want_facts(targets);
+  run.line_facts = is_accessible || want_facts(targets);
   run.judges = run.keeps_drawings || run.explain;
   output::VectorOptions vector = options.vector;
   if (run.max_error) pipeline::choose_writing(vector, targets, *run.max_error, run.arcs.has_value());

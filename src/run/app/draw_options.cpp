@@ -233,6 +233,12 @@ scene::Options<Draw> format_options() {
                    "for each view, dimension and table",
            .usual = "plain"},
           vector(&output::VectorOptions::pdf), scene::choice<output::PdfKind>().shown_as("HOW")),
+      scene::option<Draw>(
+          {.flag = "--svg",
+           .help = "accessible: SVG as a tree of views, features, lines and dimensions with names for screen "
+                   "readers, and what the sheet shows in words",
+           .usual = "usual"},
+          vector(&output::VectorOptions::svg), scene::choice<output::SvgKind>().shown_as("HOW")),
       scene::option<Draw>({.flag = "--decimals", .help = "decimals of coordinates in SVG", .usual = "4"},
                           vector(&output::VectorOptions::decimals), scene::whole_number(1, 5)),
       scene::option<Draw>({.flag = "--id-prefix",

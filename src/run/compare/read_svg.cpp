@@ -88,7 +88,9 @@ class SvgReader {
     if (!context.style.is_shown()) return;
     if (name == "path") return read_path(element, context);
     if (name == "text") return read_text(element, context);
-    if (const pugi::xml_attribute words = element.attribute("aria-label"))
+    // Views, features and dimensions have names, too, but roles of their own (svg_tree.hpp).
+    const bool is_object = std::string_view(element.attribute("role").value()).starts_with("graphics-");
+    if (const pugi::xml_attribute words = element.attribute("aria-label"); words && !is_object)
       return read_outlines(element, context, words.value());
     for (const pugi::xml_node child : element.children()) read_element(child, context);
   }

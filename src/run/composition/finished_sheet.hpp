@@ -30,6 +30,7 @@ struct FinishedSheet {
   std::vector<std::pair<std::string, std::string>> zones{};  ///< of others: the field of the frame in which they are
   std::size_t without_room = 0;                              ///< notes, symbols, tables, rows of hole tables
   std::size_t fans = 0;                                      ///< as in sheet::PlacedLayer
+  bool lacks_lines = false;                                  ///< time was over before all were found
   bool is_crowded = false;                                   ///< something has no place on it, or a worse one
 };
 

@@ -18,6 +18,7 @@
 #include "composition/construction_layers.hpp"
 #include "sheet/arrangement.hpp"
 #include "sheet/installed_fonts.hpp"
+#include "sheet/line_styles.hpp"
 #include "sheet/list_table.hpp"
 #include "sheet/notation.hpp"
 #include "sheet/standard_scale.hpp"
@@ -432,6 +433,13 @@ SheetPlan plan_sheet(const world::World& world, const scene::SceneDescription& s
     plan.places.push_back({spot.scale, spot.shift - spot.scale * placing.origins[i] - placing.gaps[i] / 2.0});
   }
   return plan;
+}
+
+void set_least_threads(SheetOfViews& views, const SheetPlan& plan) {
+  // Between the lines of crests and roots, mm; also at least two wide lines. ISO 6410-1.
+  constexpr double least = 0.7;
+  const double wide = sheet::line_widths(plan.furniture.paper).wide;
+  for (PlannedView& view : views.plans) view.options.min_thread = std::max(least, 2 * wide);
 }
 
 }  // namespace epura::pipeline

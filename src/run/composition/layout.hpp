@@ -67,6 +67,9 @@ double dimension_text_height(const sheet::Paper& paper, std::size_t views);
 SheetPlan plan_sheet(const world::World& world, const scene::SceneDescription& scene, const SheetOfViews& sheet,
                      std::span<const view::ProjectedScene> views, const std::vector<Annotations>& annotations);
 
+/// However small the scale, the two lines of a thread are apart on paper.
+void set_least_threads(SheetOfViews& views, const SheetPlan& plan);
+
 /// A sheet with positioned views, as input for drawing on it.
 struct SheetInput {
   const world::World& world;

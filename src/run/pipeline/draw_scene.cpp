@@ -16,6 +16,7 @@
 #include "composition/line_facts.hpp"
 #include "composition/lint.hpp"
 #include "composition/seen_items.hpp"
+#include "composition/summary.hpp"
 #include "composition/tell.hpp"
 #include "drawing/drawing.hpp"
 #include "mesh/read.hpp"
@@ -24,7 +25,6 @@
 #include "pipeline/recognise_parts.hpp"
 #include "pipeline/replace_helical_threads.hpp"
 #include "pipeline/within_error.hpp"
-#include "sheet/line_styles.hpp"
 #include "sizes/anchors.hpp"
 #include "view/condition.hpp"
 #include "views/arrow_views.hpp"
@@ -47,9 +47,6 @@ template <class Item>
 void add_all(std::vector<Item>& list, const std::vector<Item>& more) {
   list.insert(list.end(), more.begin(), more.end());
 }
-
-// Between the lines of crests and roots, mm; also at least two wide lines. ISO 6410-1.
-constexpr double min_thread = 0.7;
 
 // Triangles: drawing more once again, only to arrange the views better, takes too long.
 constexpr std::size_t max_drawn_again = 200'000;
@@ -218,12 +215,6 @@ std::vector<view::ProjectedScene> Run::map_views(const WorldOfView& world, const
   return seen;
 }
 
-// However small the scale, the two lines of a thread are apart on paper.
-void set_least_threads(SheetOfViews& views, const SheetPlan& plan) {
-  const double wide = sheet::line_widths(plan.furniture.paper).wide;
-  for (PlannedView& view : views.plans) view.options.min_thread = std::max(min_thread, 2 * wide);
-}
-
 // All that does not depend on where the views are on the sheet.
 PreparedSheet Run::prepare_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   const world::World& whole = worlds.main();
@@ -318,6 +309,7 @@ FinishedSheet Run::draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared
     for (std::size_t i = 0; i < sheet.drawings.size(); ++i) add_line_facts(sheet.sheet, sheet.drawings[i], world(i));
   if (const std::string cut = partial.stages.empty() ? cut_before_sheets : partial.stages.front(); !cut.empty())
     mark_partial(sheet, cut);
+  sheet.lacks_lines = !partial.stages.empty() || !cut_before_sheets.empty();
   gathered.report.partial.add(partial);
   if (!options.keeps_drawings) sheet.drawings = {};
   note(sheet);
@@ -547,6 +539,9 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   gathered.report.requirements = end_ledger(required, messages, options.allow_missing);
   if (options.keeps_drawings) add_dimension_facts(finished, gathered.dimensioned, worlds.main(), scene);
   if (options.lint) lint(finished, worlds);
+  if (options.describes)
+    describe(finished, sheets, {worlds.main(), scene, parts, options.names_features},
+             {progress, progress, gathered.report.partial});
   if (options.rebuild)
     gathered.rebuilt = sheet::rebuild_part(gathered.dimensioned, worlds.main(), features::true_extents(worlds.main()),
                                            notation_of(worlds.main(), scene.sheets.front()), options.rules);

@@ -75,7 +75,8 @@ void recognise_parts(world::World& world, const scene::SceneDescription& scene, 
   // Dimensions of features need faces even where folds alone identify all edges.
   std::optional<double> least;
   const bool names_faces = dimensions_features(scene) || !scene.requirements.empty();
-  if (!names_faces && !options.lint && scene.threads.empty()) least = min_fold(world, scene, options);
+  if (!names_faces && !options.lint && !options.describes && scene.threads.empty())
+    least = min_fold(world, scene, options);
   std::vector<std::vector<int>> wanted;  // models of one mesh
   std::map<const mesh::Mesh*, std::size_t> number;
   const bool asked = names_faces || std::any_of(scene.views.begin(), scene.views.end(), is_asked);

@@ -77,6 +77,8 @@ struct RunOptions {
   bool judges = false;          ///< finds the error budgets of the views
   bool keeps_drawings = false;  ///< in addition to the sheets
   std::shared_ptr<KeptModels> kept_models{};  ///< shared with other runs, which read the same files
+  bool describes = false;                     ///< the sheets say in sentences what they show
+  bool names_features = false;                ///< and of which feature their lines and dimensions are
   bool line_facts = false;                    ///< the sheets tell what the model knows of their lines
 };
 

@@ -10,8 +10,10 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "output/metadata.hpp"
 #include "scene/choices.hpp"
 #include "scene/line_roles.hpp"
+#include "sheet/phrases.hpp"
 
 namespace epura::output {
 
@@ -23,35 +25,39 @@ std::string view_or_sheet(const sheet::Layer& layer) {
   return slash == std::string::npos ? "sheet" : layer.name.substr(0, slash);
 }
 
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+std::string say(std::string_view key, std::string_view language, const std::vector<std::string>& texts = {}) {
+  return sheet::phrase(key, language, texts);
 }
 
-std::string words_of(const sheet::DimensionObject& dimension) {
-  constexpr std::array kinds{"length", "angle", "diameter", "radius", "coordinate"};
-  return std::string(kinds[static_cast<std::size_t>(dimension.shape)]) + " " + dimension.text;
+// `one` and `many` are the keys for one thing and for others.
+std::string counted(std::size_t count, const char* one, const char* many, std::string_view language) {
+  return say(count == 1 ? one : many, language, {std::to_string(count)});
+}
+
+std::string words_of(const sheet::DimensionObject& dimension, std::string_view language) {
+  return words_of_dimension(dimension, language);
 }
 
 // Its text says it, in the language of the sheet.
-std::string words_of(const sheet::LeaderObject& /*leader*/) { return {}; }
+std::string words_of(const sheet::LeaderObject& /*leader*/, std::string_view /*language*/) { return {}; }
 
-std::string words_of(const sheet::ToleranceObject& tolerance) {
+std::string words_of(const sheet::ToleranceObject& tolerance, std::string_view language) {
   std::string text;
   for (const sheet::FrameRow& row : tolerance.rows) {
-    std::string words(scene::Words<Characteristic>::list[static_cast<std::size_t>(row.characteristic)]);
+    std::string words = sheet::characteristic_in_words(scene::word_of(row.characteristic), language);
     for (const scene::FrameCell& cell : row.cells) {
       words += " |";
       for (const scene::FramePiece& piece : cell) words += " " + piece.text;
     }
     append_to_list(text, words);
   }
-  return "tolerance " + text;
+  return say("tolerance", language, {text});
 }
 
-std::string words_of(const sheet::TableObject& table) {
+std::string words_of(const sheet::TableObject& table, std::string_view language) {
   const bool has_title = table.rows.front().size() == 1;
-  return "table" + (has_title ? " " + table.rows.front().front().text : "") + ", " +
-         counted(table.rows.size() - (has_title ? 1 : 0), "row");
+  return say("table", language, {has_title ? " " + table.rows.front().front().text : ""}) + ", " +
+         counted(table.rows.size() - (has_title ? 1 : 0), "row", "table rows", language);
 }
 
 bool has_other_ink(const sheet::Layer& layer) {
@@ -61,6 +67,7 @@ bool has_other_ink(const sheet::Layer& layer) {
 class Order {
  public:
   explicit Order(const sheet::Sheet& sheet) : sheet_(sheet) {
+    tags_.language = sheet::language_of_phrases(fact_of(sheet, "language"));
     section("sheet");
     for (const sheet::ViewFrame& view : sheet.views) section(view.name);
     for (const sheet::Layer& layer : sheet.layers) add(layer);
@@ -77,6 +84,14 @@ class Order {
     return static_cast<int>(tags_.elements.size()) - 1;
   }
 
+  // With the first view, what the sheet shows is said.
+  [[nodiscard]] std::string words_of_figure(const std::string& view) const {
+    std::string words = words_of_view(sheet_, view);
+    if (!sheet_.views.empty() && sheet_.views.front().name == view && !sheet_.summaries.empty())
+      for (const std::string& sentence : sheet_.summaries.front().sentences) words += " " + sentence;
+    return words;
+  }
+
   // Of a view: what it shows comes before what is written beside it.
   struct Section {
     int itself, figure;
@@ -85,7 +100,7 @@ class Order {
     const auto found = sections_.find(view);
     if (found != sections_.end()) return found->second;
     const int itself = add_element({"Sect"});
-    const int figure = view == "sheet" ? -1 : add_element({"Figure", words_of_view(sheet_, view), itself});
+    const int figure = view == "sheet" ? -1 : add_element({"Figure", words_of_figure(view), itself});
     return sections_.emplace(view, Section{itself, figure}).first->second;
   }
 
@@ -93,13 +108,14 @@ class Order {
     const Section& own = section(view_or_sheet(layer));
     std::vector<PdfMark>& marks = tags_.marks.emplace_back();
     const bool is_logo = own.figure < 0 && !layer.pictures.empty();
-    if (has_other_ink(layer)) marks.push_back({is_logo ? add_element({"Figure", "logo", own.itself}) : own.figure});
+    if (has_other_ink(layer))
+      marks.push_back({is_logo ? add_element({"Figure", say("logo", tags_.language), own.itself}) : own.figure});
     std::vector<int> owners(layer.texts.size(), -1);
     const auto give = [&](const auto& objects, const char* type) {
       for (const auto& object : objects) {
         if (object.texts.begin == object.texts.end) continue;
         check(object.texts.end <= owners.size(), "what is one thing has texts of its layer");
-        const int element = add_element({type, words_of(object), own.itself});
+        const int element = add_element({type, words_of(object, tags_.language), own.itself});
         std::fill(owners.begin() + static_cast<std::ptrdiff_t>(object.texts.begin),
                   owners.begin() + static_cast<std::ptrdiff_t>(object.texts.end), element);
       }
@@ -122,7 +138,7 @@ class Order {
 
   // Texts belong to the cell in which they stand. The first one that is in a row of several cells is of the header.
   void add_table(const sheet::TableObject& object, const sheet::Layer& layer, int parent, std::vector<int>& owners) {
-    const int table = add_element({"Table", words_of(object), parent});
+    const int table = add_element({"Table", words_of(object, tags_.language), parent});
     const auto row_of = [&](const sheet::Text& text) {
       const double row = std::floor((object.corner.y - text.at.y) / object.row_height);
       return static_cast<std::size_t>(std::clamp(row, 0.0, static_cast<double>(object.rows.size()) - 1));
@@ -183,6 +199,11 @@ class Order {
 
 }  // namespace
 
+std::string words_of_dimension(const sheet::DimensionObject& dimension, std::string_view language) {
+  constexpr std::array kinds{"length", "angle", "diameter", "radius", "coordinate"};
+  return say(kinds[static_cast<std::size_t>(dimension.shape)], language, {dimension.text});
+}
+
 std::string words_of_view(const sheet::Sheet& sheet, const std::string& view) {
   std::array<std::size_t, 2> lines{};  // visible, hidden
   for (const sheet::Layer& layer : sheet.layers) {
@@ -191,13 +212,16 @@ std::string words_of_view(const sheet::Sheet& sheet, const std::string& view) {
     for (const sheet::Stroke& stroke : layer.strokes)
       if (stroke.kind) ++lines[row != nullptr && row->is_hidden ? 1 : 0];
   }
-  std::string text = "View " + view;
+  const std::string_view language = sheet::language_of_phrases(fact_of(sheet, "language"));
+  std::string text = say("view", language, {view});
   for (const sheet::ViewFrame& frame : sheet.views) {
     if (frame.name != view) continue;
-    if (!frame.projection.empty() && frame.projection != view) text += " (" + frame.projection + ")";
-    if (!frame.scale.empty()) text += ", scale " + frame.scale;
+    const std::string projection = sheet::projection_in_words(frame.projection, language);
+    if (!projection.empty() && projection != view) text += " (" + projection + ")";
+    if (!frame.scale.empty()) text += say("scale", language, {frame.scale});
   }
-  return text + ": " + counted(lines[0], "visible line") + ", " + counted(lines[1], "hidden line");
+  return text + ": " + counted(lines[0], "visible line", "visible lines", language) + ", " +
+         counted(lines[1], "hidden line", "hidden lines", language) + ".";
 }
 
 PdfTags reading_order(const sheet::Sheet& sheet) { return Order(sheet).take(); }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,7 @@
 #include "output/svg_lettering.hpp"
 #include "output/svg_path_text.hpp"
 #include "output/svg_paths.hpp"
+#include "output/svg_tree.hpp"
 #include "output/text_place.hpp"
 #include "output/write.hpp"
 #include "output/xml_text.hpp"
@@ -99,6 +101,7 @@ class LayerWriter {
   void append(const std::vector<const sheet::Layer*>& layers, const Progress& progress);
 
  private:
+  void begin_view(std::string_view view, std::span<const sheet::Layer* const> layers);
   void begin_group(std::string_view name, std::string_view label, std::string_view label_in_page);
   void append(const sheet::Layer& layer, std::string_view name_in_view, const Progress& progress);
   void append_lines(const sheet::Layer& layer, const Progress& progress);
@@ -109,7 +112,7 @@ class LayerWriter {
   const SvgDocument& document_;
   std::optional<sheet::Lettering> lettering_;
   std::set<std::string> ids_{};
-  std::size_t lines_ = 0;
+  std::size_t lines_ = 0, texts_ = 0;
   std::size_t edges_ = 0;       ///< number of lines in layers that draw edges
   std::size_t edge_bytes_ = 0;  ///< written of them
 };
@@ -123,19 +126,28 @@ std::string_view view_of(const sheet::Layer& layer) {
 // VIEW/ROLE becomes a layer ROLE in a layer VIEW.
 void LayerWriter::append(const std::vector<const sheet::Layer*>& layers, const Progress& progress) {
   std::string_view open;
-  for (const sheet::Layer* layer : layers) {
+  for (auto at = layers.begin(); at != layers.end(); ++at) {
+    const sheet::Layer* layer = *at;
     const std::string_view view = view_of(*layer);
     if (view != open) {
       if (!open.empty()) svg_ += "</g>\n";
       if (!view.empty()) {
         begin_group(view, view, "data-view");
-        svg_ += ">\n";
+        const auto end = std::find_if(at, layers.end(), [&](const auto* one) { return view_of(*one) != view; });
+        begin_view(view, {at, end});
       }
       open = view;
     }
     append(*layer, std::string_view(layer->name).substr(view.empty() ? 0 : view.size() + 1), progress);
   }
   if (!open.empty()) svg_ += "</g>\n";
+}
+
+// The rest of the tag of its group, and what it has beside its layers.
+void LayerWriter::begin_view(std::string_view view, std::span<const sheet::Layer* const> layers) {
+  if (document_.named != nullptr) append_view_name(svg_, *document_.named, std::string(view));
+  svg_ += ">\n";
+  if (document_.named != nullptr) append_tree(svg_, *document_.named, layers, document_.prefix, {lines_, texts_});
 }
 
 void LayerWriter::begin_group(std::string_view name, std::string_view label, std::string_view label_in_page) {
@@ -158,8 +170,9 @@ void LayerWriter::append(const sheet::Layer& layer, std::string_view name_in_vie
   append_pictures(svg_, layer, document_);
   append_fills(svg_, layer, document_);
   append_lines(layer, progress);
-  if (lettering_) append_texts(svg_, layer, document_, *lettering_);
+  if (lettering_) append_texts(svg_, layer, document_, *lettering_, texts_);
   lines_ += layer.strokes.size();
+  texts_ += layer.texts.size();
   svg_ += "</g>\n";
 }
 
@@ -231,14 +244,50 @@ std::string remarks(const sheet::Sheet& sheet) {
   return text;
 }
 
+std::string joined(const std::vector<std::string>& sentences) {
+  std::string text;
+  for (const std::string& sentence : sentences) text += (text.empty() ? "" : " ") + sentence;
+  return text;
+}
+
+std::string title_of(const sheet::Sheet& sheet) { return sheet.title.empty() ? "Drawing" : sheet.title; }
+
+// What the sheet shows: in its language, to which `described` refers, then in others.
+void append_descriptions(std::string& svg, const sheet::Sheet& sheet, const std::string& described) {
+  std::string id = described;
+  for (const sheet::Summary& summary : sheet.summaries) {
+    svg += "<desc";
+    if (!id.empty()) append_attribute(svg, "id", id);
+    append_attribute(svg, "lang", summary.language);
+    append_escaped(svg += '>', joined(summary.sentences));
+    svg += "</desc>\n";
+    id.clear();
+  }
+}
+
+// Of the root, for screen readers.
+void append_roles(std::string& svg, const sheet::Sheet& sheet, const std::string& id) {
+  svg += " role=\"graphics-document document\"";
+  append_attribute(svg, "lang", language_of_names(sheet));
+  svg += " aria-labelledby=\"" + id + "-title\"";
+  if (!sheet.summaries.empty()) svg += " aria-describedby=\"" + id + "-desc\"";
+}
+
 // Title, description and metadata, as Inkscape shows them under Document Properties: RDF with Dublin Core elements, in
 // the form used by Creative Commons.
-void append_metadata(std::string& svg, const sheet::Sheet& sheet, const std::vector<Attachment>& attachments) {
+void append_metadata(std::string& svg, const sheet::Sheet& sheet, const std::vector<Attachment>& attachments,
+                     const std::string& named) {
   const auto add = [&svg](std::string_view name, const std::string& text) {
     if (!text.empty()) append_element(svg, name, text);
   };
-  append_element(svg, "title", sheet.title);
-  add("desc", description_of(sheet));
+  if (named.empty()) {
+    append_element(svg, "title", sheet.title);
+    add("desc", description_of(sheet));
+  } else {
+    append_escaped(svg += "<title id=\"" + named + "-title\">", title_of(sheet));
+    svg += "</title>\n";
+    append_descriptions(svg, sheet, named + "-desc");
+  }
   svg +=
       "<metadata>\n<rdf:RDF xmlns:rdf=\"http://www.w3.org/1999/02/22-rdf-syntax-ns#\" "
       "xmlns:cc=\"http://creativecommons.org/ns#\" xmlns:dc=\"http://purl.org/dc/elements/1.1/\">\n"
@@ -275,9 +324,14 @@ void append_style(std::string& svg, const std::string& id, bool has_text) {
   svg += "#" + id + ":where(:not(:root)) *{all:revert-layer}</style>\n";
 }
 
-// The beginning of a document of its own: with its size, names for Inkscape, and metadata.
+// The beginning of a document of its own: with its size, names for Inkscape, and metadata. `named`: its id, if it has
+// names for screen readers.
 void begin_file(std::string& svg, const sheet::Sheet& sheet, const std::vector<Attachment>& attachments,
-                const std::string& width, const std::string& height) {
+                const std::string& named) {
+  std::string width, height;
+  append_millimetres(width, sheet.width);
+  append_millimetres(height, sheet.height);
+  if (!named.empty()) append_roles(svg, sheet, named);
   svg +=
       " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
       "xmlns:sodipodi=\"http://sodipodi.sourceforge.net/DTD/sodipodi-0.dtd\" fill=\"none\" stroke=\"#000\" "
@@ -286,18 +340,25 @@ void begin_file(std::string& svg, const sheet::Sheet& sheet, const std::vector<A
   svg += "<sodipodi:namedview inkscape:document-units=\"mm\"/>\n";
   // Browsers print it on a sheet of its size, without margins that would scale it.
   svg += "<style>@page{size:" + width + "mm " + height + "mm;margin:0}</style>\n";
-  append_metadata(svg, sheet, attachments);
+  append_metadata(svg, sheet, attachments, named);
 }
 
 // The beginning of an element of a page, with its name and description for screen readers.
-void begin_inline(std::string& svg, const sheet::Sheet& sheet, const std::string& id, const std::string& view_box) {
-  svg.append(" role=\"img\" aria-labelledby=\"").append(id).append("-title\" aria-describedby=\"").append(id);
+void begin_inline(std::string& svg, const sheet::Sheet& sheet, const std::string& id, bool is_tree) {
+  std::string width, height;
+  append_millimetres(width, sheet.width);
+  append_millimetres(height, sheet.height);
+  if (is_tree)
+    append_roles(svg, sheet, id);
+  else
+    svg += " role=\"img\" aria-labelledby=\"" + id + "-title\" aria-describedby=\"" + id + "-desc\"";
   svg +=
-      "-desc\" fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" stroke-linejoin=\"round\" width=\"100%\" "
-      "viewBox=\"" +
-      view_box + "\">\n<title id=\"" + id + "-title\">";
-  append_escaped(svg, sheet.title.empty() ? "Drawing" : sheet.title);
-  append_escaped(svg += "</title>\n<desc id=\"" + id + "-desc\">", description_of(sheet));
+      " fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" stroke-linejoin=\"round\" width=\"100%\" viewBox=\"0 0 ";
+  svg += width + " " + height + "\">\n<title id=\"" + id + "-title\">";
+  append_escaped(svg, title_of(sheet));
+  svg += "</title>\n";
+  if (is_tree) return append_descriptions(svg, sheet, id + "-desc");
+  append_escaped(svg += "<desc id=\"" + id + "-desc\">", description_of(sheet));
   svg += "</desc>\n";
 }
 
@@ -309,19 +370,18 @@ void append_document(std::string& svg, const sheet::Sheet& sheet, const VectorOp
   std::size_t max = 0;
   for (const sheet::Layer* layer : layers) max += max_bytes(*layer);
   svg.reserve(svg.size() + max);
-  std::string width, height;
-  append_millimetres(width, sheet.width);
-  append_millimetres(height, sheet.height);
+  const bool is_tree = options.svg == SvgKind::accessible && !options.plain;
   svg += "<svg id=\"" + id + "\" xmlns=\"http://www.w3.org/2000/svg\"";
   if (options.is_inline)
-    begin_inline(svg, sheet, id, "0 0 " + width + " " + height);
+    begin_inline(svg, sheet, id, is_tree);
   else
-    begin_file(svg, sheet, options.attachments, width, height);
+    begin_file(svg, sheet, options.attachments, is_tree ? id : "");
   const auto has_texts = [](const sheet::Layer* layer) { return !layer->texts.empty(); };
   append_style(svg, id, options.text == SvgText::text && std::any_of(layers.begin(), layers.end(), has_texts));
   const SvgDocument document{sheet.height,  options.decimals.value_or(usual_decimals),
                              options.plain, options.text,
-                             id + "-",      options.is_inline};
+                             id + "-",      options.is_inline,
+                             nullptr,       is_tree ? &sheet : nullptr};
   LayerWriter(svg, sheet, document).append(layers, progress);
   svg += "</svg>\n";
 }
@@ -339,7 +399,8 @@ void append_for_page(std::string& svg, const sheet::Sheet& sheet, const VectorOp
   svg += " fill=\"none\" stroke=\"#000\" stroke-linecap=\"round\" stroke-linejoin=\"round\" viewBox=\"0 0 " + width +
          " " + height + "\">\n<rect class=\"paper\" width=\"" + width + "\" height=\"" + height + "\"/>\n";
   const SvgDocument document{
-      sheet.height, options.decimals.value_or(usual_decimals), options.plain, options.text, "", true, &sheet, lines};
+      sheet.height, options.decimals.value_or(usual_decimals), options.plain, options.text, "", true, &sheet, nullptr,
+      lines};
   LayerWriter(svg, sheet, document).append(by_view(sheet), progress);
   svg += "</svg>\n";
 }

@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "base/utf8.hpp"
 #include "output/svg_path_text.hpp"
+#include "output/svg_tree.hpp"
 #include "output/text_place.hpp"
 #include "output/xml_text.hpp"
 
@@ -93,16 +94,19 @@ void begin_group(std::string& svg, const SvgDocument& document, std::string_view
 }
 
 // Prefixed, because line styles may have the same names.
-void append_role(std::string& svg, const SvgDocument& document, const sheet::Text& text) {
+void append_role(std::string& svg, const SvgDocument& document, const sheet::Text& text, std::size_t number) {
+  if (document.named != nullptr) append_attribute(svg, "id", text_id(document.prefix, number));
   if (!text.role.empty()) append_attribute(svg, "class", document.prefix + "text-" + identifier(text.role));
 }
 
 void append_outlined(std::string& svg, const sheet::Text& text, const SvgDocument& document,
-                     const sheet::Lettering& lettering) {
+                     const sheet::Lettering& lettering, std::size_t number) {
   svg += "<g";
-  append_role(svg, document, text);
+  append_role(svg, document, text, number);
   // Elsewhere, the words are for programs; in a page, a name without a role would be an error.
-  if (document.in_html) append_attribute(svg, "role", "img");
+  const bool is_read = document.named == nullptr || text.role != "grid-reference";
+  if (!is_read) append_attribute(svg, "aria-hidden", "true");
+  if (is_read && (document.in_html || document.named != nullptr)) append_attribute(svg, "role", "img");
   append_attribute(svg, "aria-label", text.text);
   svg += '>';
   append_outlines(svg, text, document.height, lettering);
@@ -110,11 +114,11 @@ void append_outlined(std::string& svg, const sheet::Text& text, const SvgDocumen
 }
 
 void append_written(std::string& svg, const sheet::Text& text, const SvgDocument& document,
-                    const sheet::Lettering& lettering) {
+                    const sheet::Lettering& lettering, std::size_t number) {
   constexpr std::string_view anchors[] = {"start", "middle", "end"};
   const double y = document.height - text.at.y;
   svg += "<text";
-  append_role(svg, document, text);
+  append_role(svg, document, text, number);
   append_millimetres(svg += " x=\"", text.at.x);
   append_millimetres(svg += "\" y=\"", y);
   append_millimetres(svg += "\" font-size=\"", text.height * lettering.em());
@@ -171,7 +175,7 @@ void append_pictures(std::string& svg, const sheet::Layer& layer, const SvgDocum
 }
 
 void append_texts(std::string& svg, const sheet::Layer& layer, const SvgDocument& document,
-                  const sheet::Lettering& lettering) {
+                  const sheet::Lettering& lettering, std::size_t first_text) {
   if (layer.texts.empty()) return;
   begin_group(svg, document, "lettering", layer.style.colour);
   const bool as_text = document.text == SvgText::text;
@@ -182,9 +186,9 @@ void append_texts(std::string& svg, const sheet::Layer& layer, const SvgDocument
   svg += ">\n";
   for (const sheet::Text& text : layer.texts) {
     if (as_text) {
-      append_written(svg, text, document, lettering);
+      append_written(svg, text, document, lettering, first_text++);
     } else {
-      append_outlined(svg, text, document, lettering);
+      append_outlined(svg, text, document, lettering, first_text++);
     }
   }
   svg += "</g>\n";

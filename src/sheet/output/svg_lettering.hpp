@@ -20,8 +20,9 @@ void append_pictures(std::string& svg, const sheet::Layer& layer, const SvgDocum
 /// Appends a line of text for each area, in a group.
 void append_fills(std::string& svg, const sheet::Layer& layer, const SvgDocument& document);
 
-/// Appends a line of text for each text, in a group. Outlines have their text as `aria-label`.
+/// Appends a line of text for each text, in a group. Outlines have their text as `aria-label`. `first_text`: how many
+/// texts the document has before.
 void append_texts(std::string& svg, const sheet::Layer& layer, const SvgDocument& document,
-                  const sheet::Lettering& lettering);
+                  const sheet::Lettering& lettering, std::size_t first_text);
 
 }  // namespace epura::output

@@ -15,6 +15,7 @@
 #include "output/curve_pieces.hpp"
 #include "output/in_order.hpp"
 #include "output/svg_path_text.hpp"
+#include "output/svg_tree.hpp"
 #include "output/xml_text.hpp"
 #include "sheet/walk_stroke.hpp"
 
@@ -212,6 +213,8 @@ void append_paths(std::string& svg, const sheet::Layer& layer, const SvgDocument
       if (document.page == nullptr)
         lines.append(" id=\"").append(document.prefix).append(std::to_string(first_line + part.path)) += '"';
       append_origin(lines, *part.stroke, common.model);
+      if (document.named != nullptr && part.stroke->kind)
+        append_name(lines, name_of(*part.stroke, layer, *document.named));
     }
     const std::string dashes = dash_array(*part.stroke);
     if (dashes != common.dashes) lines.append(" stroke-dasharray=\"").append(dashes) += '"';

@@ -22,6 +22,8 @@ struct SvgDocument {
   bool in_html = false;  ///< no names for Inkscape, but roles for screen readers
   /// The sheet, if this is part of a page of its own: no ids, and the facts of lines.
   const sheet::Sheet* page = nullptr;
+  /// The sheet, if its lines have names and its texts ids: what svg_tree.hpp refers to.
+  const sheet::Sheet* named = nullptr;
   bool lines = true;      ///< whether layers of edges have their lines
   std::size_t spare = 0;  ///< bytes that a line of a page may be longer than the bound on it
 };

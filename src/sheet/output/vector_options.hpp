@@ -27,6 +27,9 @@ enum class DxfArcs { bulges, entities };
 /// As small as it can be; or for archives (PDF/A-3b) and for people who do not see it (PDF/UA-1).
 enum class PdfKind { plain, archive };
 
+/// Likewise SVG: with roles and names for what it shows (WAI-ARIA Graphics Module 1.0).
+enum class SvgKind { usual, accessible };
+
 /// What SVG and PDF carry so that `epura check` can draw them again: nothing; options, results and hashes; the models
 /// and other files that are read, too.
 enum class Proof { none, data, model };
@@ -43,6 +46,10 @@ struct epura::scene::Words<epura::output::DxfVersion> {
 template <>
 struct epura::scene::Words<epura::output::PdfKind> {
   static constexpr std::array list{"plain", "archive"};
+};
+template <>
+struct epura::scene::Words<epura::output::SvgKind> {
+  static constexpr std::array list{"usual", "accessible"};
 };
 template <>
 struct epura::scene::Words<epura::output::Proof> {
@@ -82,6 +89,7 @@ struct VectorOptions {
   Strokes strokes = Strokes::dashed;  ///< of all formats with lines
   Proof proof = Proof::none;
   PdfKind pdf = PdfKind::plain;
+  SvgKind svg = SvgKind::usual;  ///< accessible: not plain
   DxfVersion dxf_version = DxfVersion::r2007;
   DxfArcs dxf_arcs = DxfArcs::bulges;
   bool dxf_blocks = false;  ///< DXF: each view is a block

@@ -68,6 +68,7 @@ struct Stroke {
   std::vector<ModelEdge> edges{};  ///< the edges drawn, in order
   std::vector<drawing::CurvePart> curves{};  ///< parts of the points that are arcs, ascending and disjoint
   int facts = -1;                            ///< index into Sheet::line_facts; -1: nothing is known
+  int feature = -1;                          ///< likewise into Sheet::features
 };
 
 /// An area filled with black by the even-odd rule. Rings do not repeat their first point.
@@ -130,6 +131,7 @@ struct DimensionObject {
   std::string id{};          ///< by what it measures, so that it stays as long as that does; empty: unknown
   std::string tolerance{};   ///< "+0.2 -0.1", "H7"
   std::vector<int> faces{};  ///< that it measures, by their numbers in scenes
+  int feature = -1;          ///< index into Sheet::features; -1: none in particular
 };
 
 /// A leader as one thing, likewise, perhaps with the text on its last piece.
@@ -201,6 +203,18 @@ struct ViewFrame {
   Vec2 min, max;      ///< box of its ink, mm
 };
 
+/// Equal features that a view shows, for people who do not see it.
+struct ShownFeature {
+  std::string view;
+  std::string words;  ///< "4 × hole, diameter 8, through"
+};
+
+/// What a sheet shows, for people who do not see it.
+struct Summary {
+  std::string language;  ///< code
+  std::vector<std::string> sentences;
+};
+
 /// A lettering font. Without a file: osifont.
 struct Font {
   std::filesystem::path file{};
@@ -215,7 +229,9 @@ struct Sheet {
   std::vector<ViewFrame> views{};
   std::vector<std::pair<std::string, std::string>> facts{};  ///< more metadata: ("author", "N. N."), ("scale", "1:2")
   Font font{};
-  std::vector<LineFacts> line_facts{};  ///< only if a document answers questions (pipeline::RunOptions::line_facts)
+  std::vector<Summary> summaries{};      ///< in its language, then in others; only if requested (RunOptions::describes)
+  std::vector<ShownFeature> features{};  ///< likewise
+  std::vector<LineFacts> line_facts{};   ///< only if a document answers questions (pipeline::RunOptions::line_facts)
 };
 
 }  // namespace epura::sheet

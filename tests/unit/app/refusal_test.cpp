@@ -158,7 +158,8 @@ TEST_F(Refusal, Formats) {
 TEST_F(Refusal, WordsThatNobodyKnows) {
   expect_refused({}, 2, {"epura --help"});
   expect_refused({"drwa", cube}, 2, {"'drwa'", "did you mean 'draw'?"});
-  expect_refused({"frobnicate"}, 2, {"known: draw, explain, lint, define, batch, info, requirements, compare"});
+  expect_refused({"frobnicate"}, 2,
+                 {"known: draw, explain, lint, define, describe, batch, info, requirements, compare"});
   expect_refused({"--verison"}, 2, {"'--verison'", "did you mean '--version'?"});
   expect_refused({"draw", cube, "-o", "x.svg", "--projecton", "front"}, 2,
                  {"'--projecton'", "did you mean '--projection'?"});

@@ -23,11 +23,12 @@ namespace epura::test::compare_test {
 namespace {
 
 TEST(Compare, SaysTheSameOfWaysToWriteAFile) {
-  output::VectorOptions plain, coarse, as_text;
+  output::VectorOptions plain, coarse, as_text, accessible;
   plain.plain = true;
   coarse.decimals = 3;
   as_text.text = SvgText::text;
-  for (const output::VectorOptions& options : {plain, coarse, as_text})
+  accessible.svg = output::SvgKind::accessible;
+  for (const output::VectorOptions& options : {plain, coarse, as_text, accessible})
     EXPECT_EQ(changes(compare::compare(as_svg(plate()), as_svg(plate(), options), 0.001)), "");
 }
 

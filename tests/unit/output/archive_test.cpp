@@ -28,6 +28,7 @@ sheet::Sheet small_sheet() {
   sheet::Sheet sheet{200, 100, "A plate", {}};
   sheet.views = {{"front", "front", "1:2", {10, 10}, {90, 60}}};
   sheet.facts = {{"language", "de"}, {"author", "N. N."}};
+  sheet.summaries = {{"de", {"Das Blatt zeigt ein Teil.", "Ende."}}, {"en", {"The sheet shows a part."}}};
   const auto line = [](const Vec2& from, const Vec2& to, std::optional<EdgeKind> kind) {
     sheet::Stroke stroke{{from, to}};
     stroke.kind = kind;
@@ -115,9 +116,10 @@ TEST(Archive, IsReadInOrderWithWordsForWhatIsNoText) {
   const std::string bytes = archive_of({&sheet});
   const PdfReader pdf(bytes);
   EXPECT_EQ(structure_of(pdf.root()["/StructTreeRoot"]["/K"]),
-            "Document(Sect(P1) Sect(Figure[View front, scale 1:2: 2 visible lines, 1 hidden line]3 "
-            "Span[length 80]1 Span[diameter ⌀8 H7]1 P1 "
-            "Table[table Holes, 2 rows](TR(TD1) TR(TH1 TH1) TR(TD1 TD1))))");
+            "Document(Sect(P1) Sect(Figure[Ansicht front (Vorderansicht), Maßstab 1:2: 2 sichtbare "
+            "Linien, 1 verdeckte Linie. Das Blatt zeigt ein Teil. Ende.]3 "
+            "Span[Länge 80]1 Span[Durchmesser ⌀8 H7]1 P1 "
+            "Table[Tabelle Holes, 2 Zeilen](TR(TD1) TR(TH1 TH1) TR(TD1 TD1))))");
   EXPECT_FALSE(pdf.has_trouble());
 }
 

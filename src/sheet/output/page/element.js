@@ -80,7 +80,7 @@ class EpuraDrawing extends HTMLElement {
     for (const name of ['width', 'height', 'role', 'aria-labelledby', 'aria-describedby']) svg.removeAttribute(name);
     const title = svg.querySelector(':scope > title')?.textContent || 'Drawing';
     for (const text of svg.querySelectorAll(':scope > title, :scope > desc')) text.remove();
-    for (const text of svg.querySelectorAll('[aria-label]')) text.setAttribute('role', 'img');
+    for (const text of svg.querySelectorAll('[aria-label]:not([role])')) text.setAttribute('role', 'img');
     this.style.aspectRatio = `${width} / ${height}`;
     this.mark = document.createElementNS(namespace, 'path');
     this.mark.setAttribute('class', 'mark');

@@ -88,7 +88,7 @@ StructurePage structure_of(QPDF& pdf, const PdfTags& tags, Handle page) {
     object.replaceKey("/Pg", page);
     if (!element.words.empty()) {
       object.replaceKey("/Alt", text(element.words));
-      object.replaceKey("/Lang", text("en"));
+      object.replaceKey("/Lang", text(tags.language));
     }
     Handle attributes = Handle::newDictionary();
     attributes.replaceKey("/O", Handle::newName("/Table"));

@@ -11,7 +11,7 @@ namespace epura::output {
 /// An element of the logical structure. ISO 32000-1, 14.7 and 14.8.4.
 struct PdfElement {
   std::string type;     ///< "Figure"
-  std::string words{};  ///< what it shows, in English; empty: its texts say it
+  std::string words{};  ///< what it shows; empty: its texts say it
   int parent = -1;      ///< an earlier element of the page; -1: the page
   int columns = 1;      ///< of a table, over which a cell goes
 };
@@ -25,6 +25,7 @@ struct PdfMark {
 struct PdfTags {
   std::vector<PdfElement> elements{};         ///< in the order of reading, parents before children
   std::vector<std::vector<PdfMark>> marks{};  ///< for each layer, in the order of painting; all ink has one
+  std::string language = "en";                ///< of the words
 };
 
 /// The name of the tag with which marks are drawn; their number is the place in the list of the layer.
