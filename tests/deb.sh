@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# The Debian packages: built, looked at by lintian, installed into a Debian 12 with nothing else in it, used there, and
-# removed without a trace. Takes minutes and needs root, mmdebstrap and lintian.  tests/deb.sh [SYSTEM.tar]
-# A file that mmdebstrap made before (--variant=minbase --include=ca-certificates) saves most of them.
+# The Debian packages: built, looked at by lintian, built again elsewhere with the same bytes, installed into a Debian 12
+# with nothing else in it, used there, and removed without a trace. Takes twice the time of a build and some minutes, and
+# needs root, mmdebstrap and lintian.  tests/deb.sh [SYSTEM.tar]
+# A file that mmdebstrap made before (--variant=minbase --include=ca-certificates) saves most of these minutes.
 set -euo pipefail
 cd "$(dirname "$(realpath "$0")")/.."
 for tool in mmdebstrap lintian dpkg-deb; do
@@ -42,6 +43,17 @@ fi
 mount --bind /proc "$system/proc"
 mount --bind /dev "$system/dev"
 cp $build/*.deb samples/models/bracket.obj "$system/tmp"
+
+# Built again in another folder, without the history, and later: the same bytes.
+elsewhere=$scratch/elsewhere
+mkdir "$elsewhere"
+git ls-files -z | xargs -0 cp --parents -t "$elsewhere"
+(export SOURCE_DATE_EPOCH="${SOURCE_DATE_EPOCH:-$(git log -1 --format=%ct)}"
+ cd "$elsewhere" && cmake --preset deb && cmake --build --preset deb && cd $build && cpack) >"$scratch/log" 2>&1 ||
+  { cat "$scratch/log" >&2; exit 1; }
+for package in $build/*.deb; do
+  cmp "$package" "$elsewhere/$build/${package##*/}" || { echo "deb: the bytes depend on the folder or the time" >&2; exit 1; }
+done
 
 inside() {
   chroot "$system" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 DEBIAN_FRONTEND=noninteractive "$@"
