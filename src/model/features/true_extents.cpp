@@ -22,6 +22,9 @@ using surfaces::SurfaceKind;
 
 using Triangle = std::array<Vec3, 3>;
 
+/// By how much facets deviate from the surface of their face.
+double deviation_of(const PartFace& face) { return surfaces::max_sagittas * face.sagitta + face.residual; }
+
 /// A surface and a direction. The half-plane through the axis that extends farthest in that direction has coordinates
 /// (x, h, s): outwards in it, along the axis, and perpendicular to it.
 class Outward {
@@ -71,9 +74,7 @@ class Outward {
   }
 
   // Whether the surface is no farther from a facet than facets deviate from their surface.
-  [[nodiscard]] bool is_above(double rise) const {
-    return std::abs(rise) <= surfaces::max_sagittas * face_.sagitta + face_.residual;
-  }
+  [[nodiscard]] bool is_above(double rise) const { return std::abs(rise) <= deviation_of(face_); }
 
   [[nodiscard]] std::optional<double> ridge(const Triangle& triangle) const {
     std::optional<double> reach;
@@ -184,16 +185,12 @@ class ExtentFinder {
     return direction;
   }
 
-  [[nodiscard]] static double rise_of(const PartFace& face) {
-    return surfaces::max_sagittas * face.sagitta + face.residual;
-  }
-
   [[nodiscard]] std::vector<Vec3> points_at(int end) const {
     std::vector<char> taken(world_.points.size(), 0);
     for (int model = 0; model < static_cast<int>(parts_.size()); ++model)
       for (int t = world_.first_triangle[model]; t < world_.first_triangle[model + 1]; ++t) {
         const int face = parts_[model] ? parts_[model]->face_of_triangle[t - world_.first_triangle[model]] : -1;
-        const double below = same_point * size_ + (face >= 0 ? rise_of(parts_[model]->faces[face]) : 0);
+        const double below = same_point * size_ + (face >= 0 ? deviation_of(parts_[model]->faces[face]) : 0);
         for (const int v : world_.triangles[t])
           if (glm::dot(direction_of(end), world_.points[v]) >= farthest_[end] - below) taken[v] = 1;
       }
@@ -306,7 +303,7 @@ class ExtentFinder {
 
   void add_facet(const PartFace& face, bool turned, int triangle) {
     const Triangle corners = corners_of(world_, triangle);
-    const double rise = rise_of(face) + same_point * size_;
+    const double rise = deviation_of(face) + same_point * size_;
     for (int end = 0; end < 6; ++end) {
       const Vec3 direction = direction_of(end);
       double top = -HUGE_VAL;
