@@ -29,8 +29,6 @@ def solid(step):
     kind, at, axis = step["kind"], Vector(*step["at"]), Vector(*step["axis"])
     if kind == "box":
         return Part.makeBox(*step["size"], at)
-    if kind == "cone":
-        return Part.makeCone(step["r1"], step["r2"], step["length"], at, axis)
     if kind == "slot":
         length, radius, depth = step["size"]
         bar = Part.makeBox(length, 2 * radius, depth, at - Vector(0, radius, 0))
@@ -118,7 +116,7 @@ def plate(lot):
                 steps.append(add("cylinder", at=(x, y, height - 1), radius=d / 2, length=rise + 1))
             if kind == "slot":
                 steps.append(cut("slot", at=(x - 5, y, -1), size=(10, d / 2, height + 2)))
-            elif kind:
+            else:
                 sizes.diameters[d] += 1
         if kind in ("blind", "counterbore"):
             sizes.texts.append(depth)
@@ -154,8 +152,8 @@ def turned(lot):
         start = sum(lengths[:i]) + 5
         if d not in used:
             used.append(d)
-            ring = [add("cylinder", at=(start, 0, 0), axis=(1, 0, 0), radius=d / 2, length=4)]
-            steps += [cut("cylinder", at=(start, 0, 0), axis=(1, 0, 0), radius=radii[i] + 1, length=4), *ring]
+            steps += [cut("cylinder", at=(start, 0, 0), axis=(1, 0, 0), radius=radii[i] + 1, length=4),
+                      add("cylinder", at=(start, 0, 0), axis=(1, 0, 0), radius=d / 2, length=4)]
             sizes.diameters[d] += 1
     if lot.randrange(2):
         d = sizes.new(5, 12, used)

@@ -8,6 +8,7 @@ crash, since it has a process of its own, but epura may not: a run draws, or say
 and memory, and leaves the drawing that was there. Damage is drawn from the seed and the number of a file alone.
 """
 import argparse
+import base64
 import collections
 import concurrent.futures
 import io
@@ -105,7 +106,6 @@ def sources(folder):
                    env={**os.environ, "PYTHONPATH": "/usr/lib/freecad-python3/lib", "QT_QPA_PLATFORM": "offscreen"})
     found = {ending: [(Path(folder) / f"{name}.{ending}").read_bytes() for name in PARTS] for ending in ("step", "iges", "brep")}
     found["step"].append((ROOT / "samples/step/clamp.step").read_bytes())
-    import base64
     binary, _ = gltf()
     within = gltf("data:application/octet-stream;base64," + base64.b64encode(binary).decode())[1]
     return {**found, "3mf": [model_of_3mf()], "gltf": [json.dumps(within).encode()], "glb": [binary]}
@@ -161,7 +161,7 @@ def other_word(data, lot):
     return data[:at.start()] + lot.choice(found).group() + data[at.end():]
 
 
-def damaged(ending, whole, lot):
+def damaged(whole, lot):
     for _ in range(lot.choice((1, 1, 1, 2, 4, 12))):
         kind = lot.choice((other_number, other_number, other_line, other_piece, other_word))
         whole = kind(whole, lot) or whole
@@ -171,12 +171,12 @@ def damaged(ending, whole, lot):
 def file_of(ending, whole, lot):
     """The damaged file; a package is damaged inside, and once in eight times outside."""
     if ending not in ("3mf", "glb"):
-        return damaged(ending, whole, lot)
+        return damaged(whole, lot)
     if lot.randrange(8) == 0:
         return other_piece(package(whole) if ending == "3mf" else glb(whole, gltf()[1]), lot)
     if ending == "3mf":
-        return package(damaged(ending, whole, lot))
-    text = damaged(ending, json.dumps(gltf()[1]).encode(), lot)
+        return package(damaged(whole, lot))
+    text = damaged(json.dumps(gltf()[1]).encode(), lot)
     try:
         scene = json.loads(text)
     except ValueError:
