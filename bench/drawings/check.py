@@ -15,6 +15,7 @@ import Part
 import ink
 import programs
 import score
+import sheets
 import truth
 from views import VIEWS
 
@@ -29,7 +30,8 @@ PDF = """q 2.834645669 0 0 2.834645669 0 0 cm 0.25 w 10 20 40 20 re S 25 30 m 30
 
 def pdf_of(content):
     things = ["<< /Type /Catalog /Pages 2 0 R >>", "<< /Type /Pages /Kids [3 0 R] /Count 1 >>",
-              "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 283.4645669 141.7322835] /Contents 4 0 R /Resources << >> >>",
+              "<< /Type /Page /Parent 2 0 R /MediaBox [0 0 283.4645669 141.7322835] /Contents 4 0 R "
+              "/Resources << /Font << /F << /Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding >> >> >> >>",
               f"<< /Length {len(content)} >>\nstream\n{content}\nendstream"]
     text, places = "%PDF-1.4\n", []
     for i, thing in enumerate(things):
@@ -97,6 +99,31 @@ def check_score():
     expect("the length of a lost side", score.score([lost, moved[1]], wanted).errors["missing"][0], 40 - 2 * score.BESIDE, 0.5)
 
 
+def check_sheets(folder):
+    """A sheet of a bored block that says all, and what is planted on it."""
+    sizes = sheets.sizes_of(Part.makeBox(40, 33, 18).cut(Part.makeCylinder(5, 40, Vector(15, 12, -5))))
+
+    def judged(words, lines="", height=10):
+        name = folder / "sheet.pdf"
+        texts = "".join(f"BT /F {height} Tf 1 0 0 1 {70 + 40 * (i % 5)} {95 - 30 * (i // 5)} Tm ({word}) Tj ET " for i, word in enumerate(words))
+        name.write_bytes(pdf_of(texts + lines).encode("latin-1"))
+        return sheets.judge(name, sizes)
+
+    right = ["40", "33", "18", "\u00d810", "12", "15"]
+    whole = judged(right)
+    expect("the number of sizes of a bored block", whole.needed, 6, 0)
+    expect("what a whole sheet lacks", len(whole.missing + whole.false + whole.overlaps + whole.crossed + whole.small), 0, 0)
+    expect("what is missing without a place", len(judged(right[:5]).missing), 1, 0)
+    expect("what is missing without the bore", len(judged(right[:3] + right[4:]).missing), 1, 0)
+    wrong = judged(["41", *right[1:]])
+    expect("what is false of 41 for 40", len(wrong.false), 1, 0)
+    expect("what is then missing", len(wrong.missing), 1, 0)
+    expect("sizes that a line runs through", len(judged(right, "1 w 60 99 m 90 99 l S").crossed), 1, 0)
+    expect("sizes beside a line", len(judged(right, "1 w 60 92 m 90 92 l S").crossed), 0, 0)
+    expect("words over each other", len(judged(right, "BT /F 10 Tf 1 0 0 1 74 95 Tm (30) Tj ET").overlaps), 1, 0)
+    expect("small words", len(judged(right, height=6).small), 6, 0)
+
+
 def check_limit():
     """The limit is on work, not on waiting as on a busy machine, but a program that waits for ever is ended, too."""
     programs.measure(["sleep", "1.5"], 1)
@@ -131,3 +158,4 @@ check_bodies()
 check_truth()
 check_readers(folder)
 check_score()
+check_sheets(folder)
