@@ -348,6 +348,13 @@ class ExtentFinder {
     for (const PartFace* face : all)
       if (!is_about(face->surface, first, slack)) return;
     if (std::abs(0.5 * (extent.from + extent.to) - first.origin[axis]) > slack) return;
+    // Where a hole leaves out its pole, a sphere reaches as far as elsewhere.
+    if (balls) {
+      const double radius = first.radius;
+      extent.interrupted = extent.interrupted || extent.size() < 2 * (radius - slack);
+      extent.from = first.origin[axis] - radius;
+      extent.to = first.origin[axis] + radius;
+    }
     extent.form = balls ? ExtentForm::sphere : ExtentForm::diameter;
     extent.centre = first.origin;
     extent.axis = balls ? Vec3(0) : first.axis;

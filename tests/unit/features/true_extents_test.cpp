@@ -81,6 +81,17 @@ TEST(TrueExtents, FlatsOfASphereAreNoDiameter) {
   expect_extent(extents[0], -10, 10, sphere);
 }
 
+// A bore through its poles leaves the sphere its diameter: the height between the rims of the bore follows.
+TEST(TrueExtents, ABoreThroughASphereLeavesItsDiameter) {
+  const double angle = std::acos(0.5) * 180 / pi;
+  std::vector<Vec2> profile = arc({0, 0}, 10, -angle, angle, 24);
+  profile.push_back(profile.front());
+  const auto extents = features::true_extents(world_of(revolved(profile, 64)));
+  expect_extent(extents[2], -10, 10, sphere);
+  EXPECT_TRUE(extents[2].interrupted);
+  EXPECT_TRUE(extents[0].is_same_as(extents[2]));
+}
+
 TEST(TrueExtents, OfARing) {
   std::vector<Vec2> profile = arc({30, 0}, 8, 4, 364, 23);
   const Part ring = revolved(profile, 41);
