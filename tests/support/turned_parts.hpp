@@ -36,6 +36,30 @@ inline std::vector<KnownPart> plates_with_conical_bosses() {
   return parts;
 }
 
+/// Conical tubes; none of their corners lies where they are widest.
+inline std::vector<KnownPart> conical_tubes() {
+  std::vector<KnownPart> parts;
+  for (int i = 0; i < variants; ++i) {
+    const double height = 40 + i, outer = 30 + 0.5 * i, wall = 6 + 0.25 * i;
+    const auto ring = [](double radius) { return circle({0, 0}, radius, 45.0 / k); };
+    const Loop low = ring(outer), high = ring(outer - 14), low_bore = ring(outer - wall), high_bore = ring(outer - 21);
+    Model model;
+    for (std::size_t p = 0; p < low.size(); ++p) {
+      const std::size_t q = (p + 1) % low.size();
+      model.face({Vec3(low[p], 0), Vec3(low[q], 0), Vec3(high[q], height), Vec3(high[p], height)});
+      model.face({Vec3(low_bore[q], 0), Vec3(low_bore[p], 0), Vec3(high_bore[p], height), Vec3(high_bore[q], height)});
+      model.face({Vec3(low[q], 0), Vec3(low[p], 0), Vec3(low_bore[p], 0), Vec3(low_bore[q], 0)});
+      model.face(
+          {Vec3(high[p], height), Vec3(high[q], height), Vec3(high_bore[q], height), Vec3(high_bore[p], height)});
+    }
+    parts.push_back({"a conical tube " + std::to_string(i),
+                     model.obj(),
+                     {number(height), "⌀" + number(2 * outer), "⌀" + number(2 * (outer - 14)),
+                      "⌀" + number(2 * (outer - wall)), "⌀" + number(2 * (outer - 21))}});
+  }
+  return parts;
+}
+
 /// A plate with a rectangular hole in its middle that is turned.
 inline std::vector<KnownPart> plates_with_turned_holes() {
   std::vector<KnownPart> parts;

@@ -315,6 +315,7 @@ FaceCoverage cover_all_faces(const Dimensioned& sheet, const JoinedPlaces& place
                    [&sheet](const surfaces::PartFace& face) { return has_doubly_curved(face, sheet); }};
   given.circles = sized_circles(sheet);
   given.holes = given_of(sheet, SizeKind::hole);
+  check(given.holes.size() == sheet.subject.features.holes.size(), "each hole has a size");
   given.slots = given_of(sheet, SizeKind::slot);
   given.hexagons = given_of(sheet, SizeKind::hexagon);
   given.bevels = slopes_given(sheet, places);
@@ -323,6 +324,12 @@ FaceCoverage cover_all_faces(const Dimensioned& sheet, const JoinedPlaces& place
   given.radii = sheet.on_sheet.radii;
   for (const SizedCircle& circle : given.circles)
     if (circle.is_given) given.radii.push_back(circle.radius);
+  // Diameters of what is no feature: the ends of a conical bore.
+  for (const DimensionsInView& view : sheet.views)
+    for (const AnchoredDimension& dimension : view.dimensions)
+      if (dimension.type == DimensionType::diameter && !is_auxiliary(dimension))
+        for (const WorldCircle& circle : dimension.circles)
+          given.circles.push_back({circle.centre, circle.axis, circle.radius, true});
   return cover_faces(sheet.subject, sheet.table.round_ends, given, sheet.notation);
 }
 

@@ -144,7 +144,28 @@ class Reader {
   void read_overall(const AnchoredDimension& dimension) {
     const int axis = axis_of(*dimension.direction);
     const Vec3 along = Mat3(1)[axis];
-    say(measured_.lengths(dimension.points[0], dimension.points[1], along));
+    std::vector<Row> rows = measured_.lengths(dimension.points[0], dimension.points[1], along);
+    say(rows.empty() && dimension.form == features::ExtentForm::diameter ? widest_rims(dimension, along)
+                                                                         : std::move(rows));
+  }
+
+  // The rims in line whose diameter an overall size is, of cones about an axis across it: it is at no corner of the
+  // part.
+  [[nodiscard]] std::vector<Row> widest_rims(const AnchoredDimension& dimension, const Vec3& along) const {
+    const Vec3 middle = (dimension.points[0] + dimension.points[1]) / 2.0;
+    const double radius = std::abs(glm::dot(dimension.points[1] - dimension.points[0], along)) / 2;
+    std::vector<Row> rows;
+    for (const definition::Contact& contact : part_.contacts)
+      for (const int face : contact.faces) {
+        const PartSurface& one = surface(face);
+        if (one.kind != SurfaceKind::cone || std::abs(glm::dot(one.axis, along)) > features::parallel) continue;
+        const Vec3 &point = contact.points.front(),
+                   foot = one.origin + glm::dot(point - one.origin, one.axis) * one.axis;
+        if (std::abs(glm::dot(foot - middle, along)) <= slack_ &&
+            std::abs(glm::distance(point, foot) - radius) <= slack_)
+          rows.push_back(measured_.rim({foot, one.axis, radius, {}, true}));
+      }
+    return rows;
   }
 
   void read_length(const AnchoredDimension& dimension, const DimensionsInView& view) {

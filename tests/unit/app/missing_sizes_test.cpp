@@ -123,6 +123,7 @@ TEST_F(MissingSizes, OfHolesInSlopes) { expect_known(wedges_with_holes()); }
 TEST_F(MissingSizes, OfPairsInSlopes) { expect_known(wedges_with_pairs()); }
 TEST_F(MissingSizes, OfUnevenPitchCircles) { expect_known(uneven_pitch_circles()); }
 TEST_F(MissingSizes, OfConicalBosses) { expect_known(plates_with_conical_bosses()); }
+TEST_F(MissingSizes, OfConicalTubes) { expect_known(conical_tubes()); }
 TEST_F(MissingSizes, OfChannels) { expect_known(channels()); }
 TEST_F(MissingSizes, OfTurnedHoles) {
   std::vector<KnownPart> parts = plates_with_turned_holes();

@@ -87,6 +87,7 @@ std::vector<Family> families() {
           {wedges_with_pairs()},
           {uneven_pitch_circles()},
           {plates_with_conical_bosses()},
+          {conical_tubes()},
           {channels()},
           {plates_with_turned_holes()},
           {chamfered_hexagons()},
