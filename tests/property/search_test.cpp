@@ -8,6 +8,7 @@
 #include <numeric>
 #include <random>
 
+#include "at_length.hpp"
 #include "base/text.hpp"
 #include "shapes.hpp"
 #include "visibility/spans.hpp"
@@ -93,6 +94,9 @@ TEST_P(Scenes, SearchEqualsBruteForce) {
 
 INSTANTIATE_TEST_SUITE_P(Random, Scenes, testing::Range(0U, parts));
 
+// Half of them at every change.
+unsigned scenes(unsigned all) { return at_length() ? all : (all + 1) / 2; }
+
 TEST(Search, EqualsBruteForceFromInside) {
   for (unsigned seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -137,7 +141,7 @@ Shape stack(unsigned seed) {
 }
 
 TEST(Search, EqualsBruteForceOnStacks) {
-  for (unsigned seed = 1; seed <= 6; ++seed) {
+  for (unsigned seed = 1; seed <= scenes(6); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const world::World world = world_of(stack(seed));
     expect_equal(draw(world, from_above()));
@@ -167,7 +171,7 @@ Shape slanted_stack(unsigned seed) {
 }
 
 TEST(Search, EqualsBruteForceOnSlantedStacks) {
-  for (unsigned seed = 1; seed <= 5; ++seed) {
+  for (unsigned seed = 1; seed <= scenes(5); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const world::World world = world_of(slanted_stack(seed));
     expect_equal(draw(world, orthographic({1, -1, 1})));
@@ -202,7 +206,7 @@ std::vector<Shape> leaning(std::vector<Shape> all, double angle) {
 
 // Two copies stand for all others.
 TEST(Search, EqualsBruteForceOnCopies) {
-  for (unsigned seed = 1; seed <= 100; ++seed) {
+  for (unsigned seed = 1; seed <= scenes(100); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const world::World world = world_of(std::vector<Shape>(4, soup(seed)));
     if (world.triangles.empty()) continue;  // all were rounded to nothing
@@ -212,7 +216,7 @@ TEST(Search, EqualsBruteForceOnCopies) {
 }
 
 TEST(Search, EqualsBruteForceOnEqualParts) {
-  for (unsigned seed = 1; seed <= 2; ++seed) {
+  for (unsigned seed = 1; seed <= scenes(2); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const world::World world = world_of(equal_parts(seed)), slanted = world_of(leaning(equal_parts(seed), 0.7));
     expect_equal(draw(world, from_above()));

@@ -7,6 +7,7 @@
 #include <random>
 #include <string>
 
+#include "at_length.hpp"
 #include "shapes.hpp"
 #include "wrong_span.hpp"
 
@@ -66,29 +67,32 @@ void expect_right(const Shape& shape, Random& random, bool axes, const std::stri
   }
 }
 
+// Half of them at every change.
+unsigned scenes(unsigned all) { return at_length() ? all : all / 2; }
+
 TEST(Truth, RandomTriangles) {
-  for (unsigned seed = 1; seed <= 25; ++seed) {
+  for (unsigned seed = 1; seed <= scenes(25); ++seed) {
     Random random(seed);
     expect_right(soup(random, 24, 0), random, false, "seed " + std::to_string(seed));
   }
 }
 
 TEST(Truth, TrianglesOnALattice) {
-  for (unsigned seed = 1; seed <= 25; ++seed) {
+  for (unsigned seed = 1; seed <= scenes(25); ++seed) {
     Random random(seed);
     expect_right(soup(random, 16, 3), random, true, "seed " + std::to_string(seed));
   }
 }
 
 TEST(Truth, RandomBoxes) {
-  for (unsigned seed = 1; seed <= 12; ++seed) {
+  for (unsigned seed = 1; seed <= scenes(12); ++seed) {
     Random random(seed);
     expect_right(boxes(random, 5, 0), random, true, "seed " + std::to_string(seed));
   }
 }
 
 TEST(Truth, TouchingBoxes) {
-  for (unsigned seed = 1; seed <= 12; ++seed) {
+  for (unsigned seed = 1; seed <= scenes(12); ++seed) {
     Random random(seed);
     expect_right(boxes(random, 6, 4), random, true, "seed " + std::to_string(seed));
   }

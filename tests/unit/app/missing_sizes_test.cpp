@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "at_length.hpp"
 #include "drawn_texts.hpp"
 #include "folder.hpp"
 #include "grooved_parts.hpp"
@@ -25,7 +26,8 @@ class MissingSizes : public testing::Test {
   }
   void expect_known(const std::vector<KnownPart>& parts) {
     EXPECT_GE(parts.size(), std::size_t(20));
-    for (const KnownPart& part : parts) {
+    for (std::size_t number = 0; number < parts.size(); number += at_length() ? 1 : 3) {
+      const KnownPart& part = parts[number];
       const Outcome run = lint(folder.file("part.obj", part.obj));
       EXPECT_EQ(run.code, 0) << part.name << ": " << run.out << run.err;
       const auto boxes = boxes_in(read_file(folder / "x.svg"));

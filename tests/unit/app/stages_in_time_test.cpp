@@ -260,7 +260,7 @@ TEST(StagesInTime, OfLinesForWhichThereIsTimeThoseInSightAreShown) {
 // The model is there, though the line at which a leader ends may be one of those that are left out.
 TEST(StagesInTime, NoNoteIsRefusedBecauseItsLineIsLeftOut) {
   const Folder folder;
-  folder.file("tangle.obj", tangle(400));
+  folder.file("tangle.obj", tangle(150));
   std::string scene = "[[model]]\nfile = \"tangle.obj\"\n[[view]]\nprojection = \"front\"\n";
   for (int vertex = 0; vertex < 40; ++vertex)
     scene += "[[note]]\ntext = \"n\"\nto = [\"tangle\", " + std::to_string(vertex) + "]\n";
@@ -313,7 +313,7 @@ TEST(StagesInTime, BetweenTwoLooksLiesABoundedAmountOfWork) {
                                "--hidden", "dashed", "--dump", "edges"})
         .looks;
   };
-  const std::map<std::string, int> few = looks(200), many = looks(800);
+  const std::map<std::string, int> few = looks(100), many = looks(400);
   for (const char* stage : {"finding intersections", "hiding lines", "merging lines", "joining lines", "finding arcs",
                             "fitting dashes", "answering", "writing"})
     EXPECT_GE(many.at(stage), 2 * few.at(stage)) << stage;

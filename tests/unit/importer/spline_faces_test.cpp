@@ -1,25 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 // Facets of B-spline faces that Open CASCADE writes here.
+#include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
+#include <BRepBuilderAPI_MakeWire.hxx>
+#include <BRepLib.hxx>
 #include <BRepTools.hxx>
+#include <GCE2d_MakeSegment.hxx>
+#include <Geom2d_TrimmedCurve.hxx>
 #include <Geom_BSplineSurface.hxx>
 #include <TColStd_Array1OfInteger.hxx>
 #include <TColStd_Array1OfReal.hxx>
 #include <TColStd_Array2OfReal.hxx>
 #include <TColgp_Array2OfPnt.hxx>
+#include <TopoDS_Face.hxx>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "at_length.hpp"
+#include "program.hpp"
 #include "support.hpp"
 
 namespace epura::test::spline_faces_test {
 namespace {
 
-importer::ReadModel read(const Folder& folder, const Handle(Geom_BSplineSurface) & surface, const char* deflection) {
+TopoDS_Face face_of(const Handle(Geom_BSplineSurface) & surface) { return BRepBuilderAPI_MakeFace(surface, 1e-7); }
+
+importer::ReadModel read(const Folder& folder, const TopoDS_Face& face, const char* deflection) {
   const std::string path = (folder / "face.brep").string();
-  EXPECT_TRUE(BRepTools::Write(BRepBuilderAPI_MakeFace(surface, 1e-7).Shape(), path.c_str()));
+  EXPECT_TRUE(BRepTools::Write(face, path.c_str()));
   foreign::Assignments given;
   if (deflection != nullptr) given.emplace_back("deflection", deflection);
   return importer::read_model(path, given, {.plugin_path = {EPURA_TEST_IMPORTERS}});
@@ -71,23 +81,57 @@ Handle(Geom_BSplineSurface) rough_sheet(int count) {
   return new Geom_BSplineSurface(poles, at, at, times, times, degree, degree);
 }
 
-// One that would take half a million facets, and minutes, gets fewer, and says so; a given deflection is kept.
+// An L along two sides of it, which has few facets: as many are expected as of the whole.
+TopoDS_Face strips_of(const Handle(Geom_BSplineSurface) & surface) {
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+  surface->Bounds(u0, u1, v0, v1);
+  const double u = u0 + (u1 - u0) / 100, v = v0 + (v1 - v0) / 100;
+  const std::array<gp_Pnt2d, 6> corners{{{u0, v0}, {u1, v0}, {u1, v}, {u, v}, {u, v1}, {u0, v1}}};
+  BRepBuilderAPI_MakeWire wire;
+  for (std::size_t i = 0; i < 6; ++i)
+    wire.Add(BRepBuilderAPI_MakeEdge(GCE2d_MakeSegment(corners[i], corners[(i + 1) % 6]).Value(), surface).Edge());
+  const TopoDS_Face face = BRepBuilderAPI_MakeFace(surface, wire.Wire());
+  BRepLib::BuildCurves3d(face);
+  return face;
+}
+
+// One that would take half a million facets, and minutes, gets fewer, and says so.
 TEST(SplineFaces, AreAsFineAsTheyCanBeMadeInAMinute) {
   const Folder folder;
-  const auto is_about_facets = [](const std::string& note) { return contains(note, "a free form would take about"); };
-  const importer::ReadModel model = read(folder, rough_sheet(40), nullptr);
-  const std::vector<std::string>& notes = model.mesh.report.notes;
-  EXPECT_EQ(std::count_if(notes.begin(), notes.end(), is_about_facets), 1);
+  const auto notes_about_facets = [](const importer::ReadModel& model) {
+    const std::vector<std::string>& notes = model.mesh.report.notes;
+    return std::count_if(notes.begin(), notes.end(),
+                         [](const std::string& note) { return contains(note, "a free form would take about"); });
+  };
+  EXPECT_EQ(notes_about_facets(read(folder, strips_of(rough_sheet(40)), nullptr)), 1);
+  EXPECT_EQ(notes_about_facets(read(folder, face_of(rough_sheet(5)), nullptr)), 0);
+  if (!at_length()) return;  // half a minute
+  const importer::ReadModel model = read(folder, face_of(rough_sheet(40)), nullptr);
+  EXPECT_EQ(notes_about_facets(model), 1);
   EXPECT_GT(model.mesh.report.triangles, 20'000);
   EXPECT_LT(model.mesh.report.triangles, 300'000);
-  const importer::ReadModel small = read(folder, rough_sheet(5), nullptr);
-  const std::vector<std::string>& none = small.mesh.report.notes;
-  EXPECT_EQ(std::count_if(none.begin(), none.end(), is_about_facets), 0);
+}
+
+// Facets become finer until they would be too many; what the refusal tells to ask for is kept.
+TEST(SplineFaces, AreAsFineAsHintsOfErrorsTell) {
+  const Folder folder;
+  ASSERT_TRUE(BRepTools::Write(strips_of(rough_sheet(8)), (folder / "part.brep").c_str()));
+  const auto draw = [&](const std::string& allowed) {
+    return epura({"draw", "part.brep", "--views", "front,isometric", "--max-error", allowed, "-o", "x.svg"},
+                 folder / "");
+  };
+  const Outcome refused = draw("0.002");
+  ASSERT_EQ(refused.code, 2) << refused.err;
+  const std::string before = "hint: raise --max-error to ";
+  const std::size_t from = refused.err.find(before), to = refused.err.find(" mm, or ", from);
+  ASSERT_LT(from, to) << refused.err;
+  const Outcome kept = draw(refused.err.substr(from + before.size(), to - from - before.size()));
+  EXPECT_EQ(kept.code, 0) << refused.err << kept.err;
 }
 
 TEST(SplineFaces, FacetsAtTheSeamOfARuledFaceFaceAsItDoes) {
   const Folder folder;
-  const importer::ReadModel model = read(folder, hyperboloid(), "0.01");
+  const importer::ReadModel model = read(folder, face_of(hyperboloid()), "0.01");
   int at_seam = 0;
   for (int t = 0; t < model.mesh.report.triangles; ++t) {
     std::array<Vec3, 3> at{};
