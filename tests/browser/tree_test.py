@@ -83,19 +83,28 @@ def test_file(browser):
     same("lines are there once", len(document[0].of("graphics-symbol")), lines)
 
 
-def tab_through(browser, most=80):
-    """What has the focus after each Tab, until it comes back or leaves the page."""
+FOCUSED = """(() => {
+    const at = document.activeElement;
+    if (!at || at === document.body) return null;
+    at.dataset.reached = '';
+    const name = one => one.localName + '#' + one.id + '.' + (one.dataset.do ?? one.name ?? '') + ':' + one.textContent.slice(0, 20);
+    const before = window.lastFocused;
+    window.lastFocused = at;
+    const style = getComputedStyle(at), box = at.getBoundingClientRect();
+    return {name: name(at), ring: style.outlineStyle === 'none' ? 0 : parseFloat(style.outlineWidth),
+            isSeen: box.width > 0 && box.bottom > 0 && box.top < innerHeight && box.right > 0 && box.left < innerWidth,
+            follows: !before || !!(before.compareDocumentPosition(at) & Node.DOCUMENT_POSITION_FOLLOWING)};
+})()"""
+
+
+def tab_through(browser, back=False, most=80):
+    """What has the focus after each Tab, or Shift and Tab, until it comes back or leaves the page."""
     seen = []
-    browser.evaluate("document.body.focus()")
+    browser.evaluate("document.body.focus(); window.lastFocused = null")
     for _ in range(most):
-        browser.key("Tab", code="Tab", windowsVirtualKeyCode=9)
-        where = browser.evaluate("""(() => {
-            const at = document.activeElement;
-            if (!at || at === document.body) return '';
-            at.dataset.reached = '';
-            return at.localName + '#' + at.id + '.' + (at.dataset.do ?? at.name ?? '') + ':' + at.textContent.slice(0, 20);
-        })()""")
-        if not where or where in seen[:1]:
+        browser.key("Tab", code="Tab", windowsVirtualKeyCode=9, modifiers=8 if back else 0)
+        where = browser.evaluate(FOCUSED)
+        if not where or where["name"] in [one["name"] for one in seen[:1]]:
             break
         seen.append(where)
     return seen
@@ -109,6 +118,11 @@ UNREACHED = """[...document.querySelectorAll('button, input, select, textarea, s
 def expect_reachable(browser, page):
     reached = tab_through(browser)
     check(f"{page}: Tab goes somewhere", len(reached) > 3, reached)
+    same(f"{page}: what has the focus and does not show it", [one["name"] for one in reached if one["ring"] < 2], [])
+    same(f"{page}: what has the focus and is out of sight", [one["name"] for one in reached if not one["isSeen"]], [])
+    same(f"{page}: where Tab leaves the order of reading", [one["name"] for one in reached if not one["follows"]], [])
+    back = [one["name"] for one in tab_through(browser, back=True)]
+    same(f"{page}: Shift and Tab go back", back[::-1], [one["name"] for one in reached])
     same(f"{page}: what no key reaches", browser.evaluate(UNREACHED), [])
     nodes = tree(browser)
     unnamed = [one.role for one in nodes.all() if (one.role in ACTIVE or one.focusable) and not one.name]
@@ -127,6 +141,10 @@ def test_page(browser):
     browser.key("n")
     told = " ".join(one.name for one in tree(browser).all() if one.role in ("StaticText", "term", "definition"))
     check("a line that keys choose is told", "True length" in told and "front" in told, told[:200])
+    browser.key("Escape")
+    told = " ".join(one.name for one in tree(browser).all() if one.role in ("StaticText", "term", "definition"))
+    check("Escape takes it back", "True length" not in told, told[:200])
+    same("and the focus stays", browser.evaluate(sheet), "sheet")
 
 
 def test_served(browser):
