@@ -6,16 +6,18 @@ from __future__ import annotations
 import ctypes as c
 import functools
 import math
+import os
 from pathlib import Path
 from typing import Any, List, NamedTuple, Optional, Sequence, Tuple
 
 import numpy as np
 
-from . import _core  # loads the library beside which that of hlr.h is
+from . import _core, _importers  # loads the library beside which that of hlr.h is
 from ._errors import Error, InputError, made
 from ._models import Model, _geometry
 
 _VERSION = 1
+_NONE = 2**32 - 1
 #: The kinds of lines by their numbers in hlr.h.
 _KINDS = {"contour": 1, "boundary": 2, "crease": 4, "intersection": 8, "wire": 64, "tangent": 256, "smooth": 512}
 _USUAL = ("contour", "boundary", "crease", "intersection", "wire")
@@ -75,10 +77,14 @@ class _Result(c.Structure):
 
 
 @functools.lru_cache(maxsize=None)
+def _folder() -> Path:
+    return next(Path(line.split()[-1]).parent for line in Path("/proc/self/maps").read_text().splitlines()
+                if "/libepura.so." in line)
+
+
+@functools.lru_cache(maxsize=None)
 def _library() -> c.CDLL:
-    folders = {Path(line.split()[-1]).parent for line in Path("/proc/self/maps").read_text().splitlines()
-               if "/libepura.so." in line}
-    library = c.CDLL(str(folders.pop() / "libepura-hlr.so.1"))
+    library = c.CDLL(str(_folder() / "libepura-hlr.so.1"))
     library.epura_hlr_model_new.restype = c.c_void_p
     library.epura_hlr_sink.restype = c.POINTER(_Sink)
     library.epura_hlr_draw.restype = c.c_void_p
@@ -104,13 +110,17 @@ class EdgeArc(NamedTuple):
 class Curve(NamedTuple):
     """A line of one look and one source: `points` (n, 2) in units of the model, y up; of an `arc`, points on it.
 
-    `kind`: "contour", "boundary", "crease", "intersection", "wire", "tangent" or "smooth".
+    `kind`: "contour", "boundary", "crease", "intersection", "wire", "tangent" or "smooth". Where the shape has faces
+    and edges of its own: `edge` is the number of the edge, or wire, and `faces` those of the faces that meet in the
+    line, each from 0 in the order of the shape; None and (): none.
     """
 
     points: np.ndarray
     kind: str
     visible: bool
     arc: Optional[EdgeArc]
+    edge: Optional[int] = None
+    faces: Tuple[int, ...] = ()
 
 
 class Curves(NamedTuple):
@@ -156,8 +166,18 @@ def _view(direction: Sequence[float], up: Sequence[float], eye: Optional[Sequenc
     return view
 
 
-def _fill(sink: _Sink, shape: Any, faces: Any) -> None:
-    geometry = _geometry(Model(shape, faces), "shape")
+def _fill(sink: _Sink, shape: Any, faces: Any, form: Optional[str], tolerance: float) -> None:
+    importers = _folder() / "epura" / "importers"
+    if faces is None and isinstance(shape, (str, os.PathLike)):
+        path = os.fspath(shape)
+        return _importers.read(importers, path, form or Path(path).suffix[1:].lower(), tolerance, sink)
+    if faces is None and isinstance(shape, (bytes, bytearray, memoryview)):
+        if not form:
+            raise InputError("format: is missing", "format", 'bytes need one: format="glb"')
+        return _importers.read_bytes(importers, bytes(shape), form, tolerance, sink)
+    if faces is None and callable(getattr(shape, "exportBrepToString", None)) and _importers.has_importer(importers, "brep"):
+        return _importers.read_bytes(importers, shape.exportBrepToString().encode(), "brep", tolerance, sink)  # FreeCAD
+    geometry = _geometry(Model(shape, faces, tolerance=tolerance or None), "shape")
     points: np.ndarray = geometry["points"]
     sink.shape(sink.host, b"shape")
     if geometry["single_precision"]:
@@ -187,18 +207,22 @@ def _curves(library: c.CDLL, drawing: c.c_void_p) -> Curves:
     for i in range(result.curve_count):
         curve = _Curve.from_address(result.curves + i * result.curve_size)
         arc = EdgeArc(_pair(curve.centre), _pair(curve.u), _pair(curve.v), curve.start, curve.end) if curve.type else None
-        curves.append(Curve(points[curve.first:curve.first + curve.count], _NAMES[curve.kind], bool(curve.visible), arc))
+        faces = tuple(face.face for face in curve.faces if face.face != _NONE)
+        curves.append(Curve(points[curve.first:curve.first + curve.count], _NAMES[curve.kind], bool(curve.visible), arc,
+                            None if curve.edge == _NONE else curve.edge, faces))
     return Curves(curves, np.array(result.matrix).reshape(4, 4))
 
 
 def hlr(shape: Any, faces: Any = None, *, direction: Sequence[float] = (1, -1, 1), up: Sequence[float] = (0, 0, 1),
         eye: Optional[Sequence[float]] = None, target: Sequence[float] = (0, 0, 0), matrix: Any = None,
         kinds: Sequence[str] = _USUAL, hidden: bool = True, surfaces: str = "auto", arcs: float = 0,
-        crease_angle: float = 0, scale: float = 0, join_within: float = 0, threads: int = 0) -> Curves:
+        crease_angle: float = 0, scale: float = 0, join_within: float = 0, threads: int = 0,
+        format: Optional[str] = None, tolerance: float = 0) -> Curves:
     """The visible and hidden curves of a shape, without a sheet: nothing is written, and no process is started.
 
-    `shape`: vertices (n, 3) with `faces`, or an object of numpy, trimesh, meshio, CadQuery, build123d or FreeCAD, as for
-    `Model`. Parallel projection along `direction`, which points to the viewer, onto the plane through `target`; or from
+    `shape`: vertices (n, 3) with `faces`, or an object of trimesh, meshio, CadQuery, build123d or FreeCAD, as for
+    `Model`. Or a file that an importer reads (glTF, STEP, BREP ...), or its bytes with its `format`, in the unit and the
+    axes of the file; importers run in this process. `tolerance`: of facets, in mm; 0: 1/20000 of the size. Parallel projection along `direction`, which points to the viewer, onto the plane through `target`; or from
     `eye` onto the plane through `target` that is perpendicular to the line between both. `up` points up the page.
     `matrix` (4, 4) instead of all these: a point as a column is seen at rows 0 and 1 over row 3; row 2 of a parallel
     projection grows towards the viewer, row 3 of a central one is positive in front of him.
@@ -214,7 +238,7 @@ def hlr(shape: Any, faces: Any = None, *, direction: Sequence[float] = (1, -1, 1
         raise Error(f"the library of epura {_core.version()} has another version of its interface", "libepura-hlr.so.1")
     drawing = None
     try:
-        _fill(library.epura_hlr_sink(model).contents, shape, faces)
+        _fill(library.epura_hlr_sink(model).contents, shape, faces, format, tolerance)
         settings = _Settings(c.sizeof(_Settings), surfaces == "mesh", threads, 0)
         if library.epura_hlr_finish(model, settings, error):
             _raise(error)

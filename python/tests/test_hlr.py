@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Curves of shapes in memory."""
+import base64
+import json
 import re
 import runpy
 from types import SimpleNamespace
@@ -60,6 +62,53 @@ def test_objects_of_other_libraries_are_taken():
     assert length(epura.hlr(SimpleNamespace(vertices=VERTICES, faces=FACES)).visible) == pytest.approx(expected)
     solid = SimpleNamespace(tessellate=lambda tolerance: (VERTICES.tolist(), FACES.tolist()))  # as FreeCAD and CadQuery
     assert length(epura.hlr(solid).visible) == pytest.approx(expected)
+
+
+def needs(ending):
+    from epura import _hlr, _importers
+    if not _importers.has_importer(_hlr._folder() / "epura" / "importers", ending):
+        pytest.skip("the importer is not built")
+
+
+def test_gltf_is_taken_by_its_bytes():
+    needs("gltf")
+    triangle = np.array([[0, 0, 0], [3, 0, 0], [0, 4, 0]], dtype="<f4").tobytes()
+    text = json.dumps({
+        "asset": {"version": "2.0"}, "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+        "bufferViews": [{"buffer": 0, "byteLength": 36}],
+        "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64," + base64.b64encode(triangle).decode()}]})
+    curves = epura.hlr(text.encode(), format="gltf", direction=(0, 0, 1), up=(0, 1, 0))
+    assert length(curves.visible) == pytest.approx(12)
+    assert {curve.kind for curve in curves.curves} == {"boundary"}
+
+
+def test_shapes_of_files_keep_their_faces_and_edges():
+    needs("step")
+    file = SAMPLES / "step" / "clamp.step"
+    curves = epura.hlr(file)
+    assert all(curve.edge is not None or curve.kind in ("contour", "intersection") for curve in curves.curves)
+    assert all(1 <= len(curve.faces) <= 2 for curve in curves.curves)
+    coarse = epura.hlr(file.read_bytes(), format="step", tolerance=1)
+    assert length(coarse.visible) == pytest.approx(length(curves.visible), rel=0.01)
+    assert sum(map(len, coarse.visible)) < sum(map(len, curves.visible))
+
+
+def test_shapes_of_open_cascade_are_taken_as_text():
+    needs("brep")
+    shape = SimpleNamespace(exportBrepToString=lambda: "DBRep_DrawableShape\n")  # as FreeCAD
+    with pytest.raises(epura.InputError, match="cut off or damaged"):
+        epura.hlr(shape)
+
+
+@pytest.mark.parametrize("source, more, place", [
+    (b"glTF", {}, "format"), (b"glTF", {"format": "../x"}, "shape"), ("none.step", {}, "shape"), (b"glTF", {"format": "glb"}, "shape")])
+def test_wrong_files_are_named(source, more, place):
+    needs("glb")
+    needs("step")
+    with pytest.raises(epura.InputError) as error:
+        epura.hlr(source, **more)
+    assert error.value.place == place
 
 
 @pytest.mark.parametrize("wrong, place", [
