@@ -193,7 +193,8 @@ def gear():
                   Part.Arc(at(root, half), at(root, math.pi / teeth), at(root, next_tooth)).toShape()]
     wheel = Part.Face(Part.Wire(Part.__sortEdges__(edges))).extrude(Vector(0, 0, 12))
     holes = around(4, lambda a: cylinder(3, 30, (14 * math.cos(a), 14 * math.sin(a), -5)))
-    return wheel.cut(Part.makeCompound([cylinder(5, 40, (0, 0, -5)), box((7, 3, 40), (0, -1.5, -5)), *holes]))
+    # One by one: of a compound, whose bodies must not touch, Open CASCADE leaves what fills the bore and its keyway.
+    return wheel.cut([cylinder(5, 40, (0, 0, -5)), box((7, 3, 40), (0, -1.5, -5)), *holes])
 
 
 def bottle():
