@@ -28,6 +28,7 @@ import parts
 import programs
 
 FINE = 0.02  # mm between the faces and the triangles of the STL file
+NEAR = 0.01  # mm between free forms and the triangles that tell how far they reach
 TIME_LIMIT = 120  # s of processor time for a sheet
 SAME = 1e-4  # mm, between sizes of exact faces that are one; exporters write more digits
 BORDER = 20, 10, 10, 10  # mm left, right, top and bottom: the letters and numbers of zones, by ISO 5457
@@ -50,6 +51,7 @@ class Sizes:
     slopes: list  # for each plane askew and each cone, the sets of numbers of which one, said whole, defines it
     lengths: numpy.ndarray  # all that may truly be said of lengths
     angles: numpy.ndarray
+    reach: numpy.ndarray  # how far free forms reach, within NEAR: the box of their surfaces is larger than they are
     free: int  # faces without sizes: their shape cannot be said by numbers
 
 
@@ -91,7 +93,7 @@ def sizes_of(shape):
     extents = [[box.XMin, box.XMax], [box.YMin, box.YMax], [box.ZMin, box.ZMax]]
     places, ends = [[], [], []], [[], [], []]
     turns, slopes, normals = collections.defaultdict(float), [], []
-    diameters, radii, free = collections.Counter(), set(), 0
+    diameters, radii, rings, free = collections.Counter(), set(), [], 0
     corners = numpy.array([tuple(vertex.Point) for vertex in shape.Vertexes]).reshape(-1, 3)
     axes = {}
     for face in shape.Faces:
@@ -112,6 +114,7 @@ def sizes_of(shape):
             slopes.append(slope_of_cone(face, surface))
         elif isinstance(surface, Part.Toroid):
             radii.add(surface.MinorRadius)
+            rings.append(surface.MajorRadius)
         elif isinstance(surface, Part.Sphere):
             radii.add(surface.Radius)
             for axis, middle in enumerate(surface.Center):
@@ -130,13 +133,21 @@ def sizes_of(shape):
                 ends[other] += [(foot[other], foot[other] - radius), (foot[other], foot[other] + radius)]
     rims = circle_radii(shape)
     round_sizes = [*rims, *radii, *(d / 2 for d in diameters)]
-    lengths = [differences([*places[i], *extents[i], *corners[:, i]]) for i in range(3)] + [round_sizes, [2 * r for r in round_sizes], *centre_distances(axes)]
+    lengths = [differences([*places[i], *extents[i], *corners[:, i]]) for i in range(3)] + [round_sizes, [2 * r for r in round_sizes], rings, *centre_distances(axes)]
     circles = list(pitch_circles(turns, axes))
     lengths.append([diameter for diameter, _ in circles])
+    towards = [a for _, given in circles for a in given_angles(given)]
     turned = [abs(math.degrees(math.acos(max(-1, min(1, a @ b))))) for a, b in itertools.combinations(distinct_normals(normals), 2)]
-    angles = [angle for whole in turned for angle in (whole, 180 - whole)] + [a for slope in slopes for a in slope[0]]
+    angles = [angle for whole in turned for angle in (whole, 180 - whole)] + [a for slope in slopes for a in slope[0]] + towards
     return Sizes([distinct(values) for values in places], ends, diameters, radii, circles, slopes, numpy.unique(numpy.concatenate([numpy.ravel(v) for v in lengths])),
-                 numpy.array(angles), free)
+                 numpy.array(angles), reach_of(shape) if free else numpy.zeros(0), free)
+
+
+def reach_of(shape):
+    """Lengths, widths and heights between the ends and the places of corners."""
+    points = numpy.array([tuple(point) for point in shape.tessellate(NEAR)[0]])
+    corners = numpy.array([tuple(vertex.Point) for vertex in shape.Vertexes]).reshape(-1, 3)
+    return numpy.concatenate([differences([points[:, i].min(), points[:, i].max(), *corners[:, i], 0]) for i in range(3)])
 
 
 def distinct_normals(normals):
@@ -182,8 +193,15 @@ def pitch_circles(turns, axes):
         for middle in middles if len(feet) >= 3 else ():
             radii = numpy.linalg.norm(feet - middle, axis=1)
             if radii.min() > SAME and numpy.ptp(radii) < SAME:
-                yield 2 * float(radii[0]), [(i, round(foot[i], 4)) for foot in feet for i in range(3) if i != members[0][1]]
+                yield 2 * float(radii[0]), [(i, round(foot[i], 4)) for foot in [middle, *feet] for i in range(3) if i != members[0][1]]
                 break
+
+
+def given_angles(given):
+    """Of the places on a circle, from its middle, to the axes of the world and to each other."""
+    points = numpy.array([value for _, value in given]).reshape(-1, 2) if len({axis for axis, _ in given}) == 2 else numpy.zeros((1, 2))
+    turns = [math.degrees(math.atan2(*(point - points[0]))) for point in points[1:]] + [0, 90]
+    return [angle % whole for a, b in itertools.permutations(turns, 2) for angle in (a - b,) for whole in (90, 180, 360)]
 
 
 # --- What a sheet says
@@ -200,7 +218,7 @@ class Number:
 
 
 NUMBERS = re.compile(r"(⌀|∅|Ø|SR|R|C)?(\d+(?:[.,]\d+)?)(°|[×x](?!\d*[×x]))?")
-SIZE = re.compile(r"[\d.,⌀∅ØSRC°×x()±↧⌴⌵∨]+")  # what a word that says a size consists of
+SIZE = re.compile(r"(?!\d+\.$)[\d.,⌀∅ØSRC°×x()±↧⌴⌵∨]+")  # what a word that says a size consists of; "1." is the number of a note
 
 
 def words_of(pdf):
@@ -292,7 +310,7 @@ def tied(places, ends, lengths):
 
 def missing_sizes(sizes, numbers):
     """The sizes of a part, one by one, as (whether it is said, words)."""
-    lengths = [n for n in numbers if n.kind in ("", "C")]
+    lengths = [n for n in numbers if n.kind in ("", "C", "R")]  # R, of bends
     round_ones = [n for n in numbers if n.kind in ("⌀", "R", "")]
     circles = [n for n in numbers if n.kind == "⌀"]
     angles = [n for n in numbers if n.kind == "°"]
@@ -301,10 +319,12 @@ def missing_sizes(sizes, numbers):
         said.append((any(n.is_said(diameter if n.kind != "R" else diameter / 2) for n in round_ones), f"⌀{diameter:g}"))
     for radius in distinct(sizes.radii):
         said.append((any(n.is_said(radius if n.kind == "R" else 2 * radius) for n in round_ones), f"R{radius:g}"))
-    reached = [tied(places, ends, lengths) for places, ends in zip(sizes.places, sizes.ends)]
+    ends = [list(pairs) for pairs in sizes.ends]
     for diameter, given in sizes.circles:
-        for axis, value in given if any(n.is_said(diameter) for n in circles) else ():
-            reached[axis].add(value)
+        for axis in range(3) if any(n.is_said(diameter) for n in circles) else ():
+            middle, *others = [value for other, value in given if other == axis] or [0]
+            ends[axis] += [(middle, other) for other in others]
+    reached = [tied(places, pairs, lengths) for places, pairs in zip(sizes.places, ends)]
     for axis, places in enumerate(sizes.places):
         said += [(round(place, 4) in reached[axis], f"{'xyz'[axis]} = {place:g}") for place in places[1:]]
     for possible, runs, ends in sizes.slopes:
@@ -317,8 +337,9 @@ def missing_sizes(sizes, numbers):
 
 
 def is_true(sizes, number):
-    values = sizes.angles if number.kind == "°" else sizes.lengths
-    return bool(len(values)) and bool(numpy.any(numpy.abs(values - number.value) <= number.digit / 2 + 1e-9))
+    slack = number.digit / 2 + 1e-9
+    is_one = lambda values, more=0.0: bool(numpy.any(numpy.abs(values - number.value) <= slack + more))
+    return is_one(sizes.angles) if number.kind == "°" else is_one(sizes.lengths) or is_one(sizes.reach, NEAR)
 
 
 def overlap(a, b):
