@@ -588,8 +588,7 @@ DrawnScene draw_scene(const scene::SceneDescription& scene, const RunOptions& op
     return draw_once(scene, options, {messages, context.progress, context.watch}, sheets, facets);
   };
   if (!options.max_error) return draw(usual_facets, context.messages);
-  const double certain = reading_of(scene, options, *options.max_error).options.relative_tolerance;
-  return draw_within_error(*options.max_error, certain, context.messages, draw);
+  return draw_within_error(*options.max_error, part_of_drawings(scene, *options.max_error), context.messages, draw);
 }
 
 }  // namespace epura::pipeline

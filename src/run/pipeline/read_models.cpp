@@ -147,6 +147,21 @@ sheet::Paper largest_paper(const scene::SheetDescription& sheet, std::size_t vie
   return sheet::make_paper(size, false);
 }
 
+const scene::SheetDescription& sheet_of(const scene::SceneDescription& scene, const scene::ViewDescription& view) {
+  const auto number = static_cast<std::size_t>(view.sheet.value_or(1)) - 1;
+  return scene.sheets[std::min(number, scene.sheets.size() - 1)];
+}
+
+scene::ScaleChoice scale_of(const scene::SceneDescription& scene, const scene::ViewDescription& view) {
+  return view.scale.value_or(sheet_of(scene, view).scale.value_or({}));
+}
+
+// The diagonal of the largest paper on which a view may be drawn, mm.
+double paper_for(const scene::SceneDescription& scene, const scene::ViewDescription& view) {
+  const sheet::Paper paper = largest_paper(sheet_of(scene, view), scene.views.size());
+  return std::hypot(paper.width, paper.height);
+}
+
 // In the units of read_model; 0 if it is unknown, as for a pipe.
 std::size_t work_of(const std::vector<scene::ModelDescription>& models) {
   std::size_t bytes = 0;
@@ -208,19 +223,28 @@ Reading reading_of(const scene::SceneDescription& scene, const RunOptions& optio
                              .is_confined = options.sandbox != Sandbox::off,
                              .allow_outside = options.allow_outside};
   for (const scene::ViewDescription& view : scene.views) {
-    const auto number = static_cast<std::size_t>(view.sheet.value_or(1)) - 1;
-    const scene::SheetDescription& sheet = scene.sheets[std::min(number, scene.sheets.size() - 1)];
-    const scene::ScaleChoice scale = view.scale.value_or(sheet.scale.value_or({}));
+    const scene::ScaleChoice scale = scale_of(scene, view);
     if (scale.fixed) {
       const double tolerance = facets / *scale.fixed;
       read.tolerance = read.tolerance > 0 ? std::min(read.tolerance, tolerance) : tolerance;
     } else {
-      const sheet::Paper paper = largest_paper(sheet, scene.views.size());
-      const double tolerance = facets / std::hypot(paper.width, paper.height);
+      const double tolerance = facets / paper_for(scene, view);
       read.relative_tolerance = read.relative_tolerance > 0 ? std::min(read.relative_tolerance, tolerance) : tolerance;
     }
   }
   return {std::move(read), options.kept_models};
+}
+
+double part_of_drawings(const scene::SceneDescription& scene, double error) {
+  double part = 0;
+  for (const scene::ViewDescription& view : scene.views) {
+    const bool has_paper =
+        largest_size(sheet_of(scene, view), scene.views.size()).kind != scene::PaperChoice::Kind::none;
+    if (scale_of(scene, view).fixed && !has_paper) continue;
+    const double of_view = error / paper_for(scene, view);
+    part = part > 0 ? std::min(part, of_view) : of_view;
+  }
+  return part;
 }
 
 ReadWorld read_models(const scene::SceneDescription& scene, const Reading& reading,

@@ -29,6 +29,10 @@ inline constexpr double usual_facets = 0.02;
 /// paper: from the given scales, otherwise from the paper on which the drawings must fit.
 Reading reading_of(const scene::SceneDescription& scene, const RunOptions& options, double facets = usual_facets);
 
+/// Returns which part of the largest drawing, on the paper that it must fit, an error in mm is at least; 0 if no view
+/// has such a paper.
+double part_of_drawings(const scene::SceneDescription& scene, double error);
+
 struct ReadWorld {
   world::World world;
   std::vector<std::vector<importer::BodyPart>> parts{};  ///< of the bodies of each model

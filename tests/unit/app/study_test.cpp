@@ -91,12 +91,16 @@ TEST(MaxError, IsKeptWhereFacesAreTangent) {
 
 TEST(MaxError, IsRefusedAtOnceWhereNothingIsCertain) {
   const Folder folder;
-  const Outcome run = epura(
-      {"draw", EPURA_TEST_SAMPLES "/step/clamp.step", "--max-error", "0.00001", "--time-limit", "20", "-o", "x.svg"},
-      folder / "");
-  EXPECT_EQ(run.code, 2);
-  EXPECT_TRUE(contains(run.err, "no part of a line shorter than a millionth of the drawing is certain")) << run.err;
-  EXPECT_FALSE(contains(run.err, "hint: raise --max-error to ")) << run.err;  // a number that might take hours
+  const std::vector<std::string> draw{
+      "draw", EPURA_TEST_SAMPLES "/step/clamp.step", "--max-error", "0.00001", "--time-limit", "20", "-o", "x.svg"};
+  for (const std::vector<std::string>& more : {std::vector<std::string>{}, {"--sheet", "A3", "--scale", "2:1"}}) {
+    std::vector<std::string> arguments = draw;
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const Outcome run = epura(arguments, folder / "");
+    EXPECT_EQ(run.code, 2);
+    EXPECT_TRUE(contains(run.err, "no part of a line shorter than a millionth of the drawing is certain")) << run.err;
+    EXPECT_FALSE(contains(run.err, "hint: raise --max-error to ")) << run.err;  // a number that might take hours
+  }
 }
 
 // What a refusal tells to ask for is kept, whatever was asked for before. Of facets that are made for it, see
