@@ -11,7 +11,9 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <fstream>
 #include <new>
+#include <string_view>
 #include <thread>
 #include <utility>
 
@@ -110,6 +112,17 @@ std::string ChildProcess::receive_within(double seconds, std::size_t max_bytes) 
   if (auto message = receive(until, max_bytes)) return *std::move(message);
   end();
   refuse("takes more than " + format_number(seconds) + " s");
+}
+
+double ChildProcess::waited_for_processor() const {
+  constexpr double seconds = 1e-9;  // of a nanosecond
+  // Of its first thread, which waits for the others where there are any: for how long it ran, and for how long it
+  // waited.
+  std::ifstream file("/proc/" + std::to_string(child_) + "/schedstat");
+  std::string line;
+  std::getline(file, line);
+  const std::vector<std::string_view> words = split(line, ' ');
+  return words.size() < 2 ? 0 : seconds * parse_number(words[1]).value_or(0);
 }
 
 /// Returns how a process ended that sends nothing more.

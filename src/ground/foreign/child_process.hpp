@@ -49,6 +49,8 @@ class ChildProcess {
   /// and ends the process if that fails.
   template <class Unpack>
   auto receive_loaded(double seconds, std::size_t max_bytes, const Unpack& unpack);
+  /// Seconds for which it was ready to go on, but others had the processors; 0 where the system does not say.
+  [[nodiscard]] double waited_for_processor() const;
   /// Whether it ended with `no_memory_status`.
   [[nodiscard]] bool lacked_memory() const { return lacked_memory_; }
   /// Kills the process.

@@ -216,7 +216,7 @@ class Process {
     Packer question;
     question(Question::read), question(name), pack_reading(question, reading);
     process_.send(question);
-    Patience patience(reading, progress);
+    Patience patience(process_, reading, progress);
     while (true) {
       const std::string message = next(reading, progress, patience);
       Unpacker unpack(message);
@@ -238,23 +238,28 @@ class Process {
   }
 
  private:
-  /// Ends when nothing has been done for a while. With a time limit, that is what the user wants to wait for.
+  /// Ends when nothing has been done for a while, in which the process had a processor or slept: what is read does not
+  /// depend on what else runs. With a time limit, that is what the user wants to wait for.
   class Patience {
    public:
-    Patience(const Reading& reading, const Progress& progress)
-        : seconds_(progress.is_limited() ? 0 : reading.bounds.patience), since_(Clock::now()) {}
+    Patience(const foreign::ChildProcess& process, const Reading& reading, const Progress& progress)
+        : process_(process), seconds_(progress.is_limited() ? 0 : reading.bounds.patience) {}
     void see(double done) {
       if (!(done >= done_ + min_progress)) return;
       done_ = done;
       since_ = Clock::now();
+      waited_ = process_.waited_for_processor();
     }
     [[nodiscard]] bool is_at_its_end() const {
-      return seconds_ > 0 && std::chrono::duration<double>(Clock::now() - since_).count() > seconds_;
+      const double passed = std::chrono::duration<double>(Clock::now() - since_).count();
+      return seconds_ > 0 && passed > seconds_ && passed - (process_.waited_for_processor() - waited_) > seconds_;
     }
 
    private:
+    const foreign::ChildProcess& process_;
     double seconds_, done_ = 0;
-    Clock::time_point since_;
+    Clock::time_point since_ = Clock::now();
+    double waited_ = process_.waited_for_processor();
   };
 
   std::vector<ImporterTable> start() {

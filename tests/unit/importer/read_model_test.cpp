@@ -2,8 +2,17 @@
 // Which importer reads a file, and what reaches this process of whatever it does.
 #include "importer/read_model.hpp"
 
+#include <sched.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
 #include <chrono>
 #include <cmath>
+#include <csignal>
+#include <filesystem>
+#include <vector>
 
 #include "importer/bounds.hpp"
 #include "importer/catalogue.hpp"
@@ -170,6 +179,62 @@ TEST(ImporterProcess, OneThatHangsOrCreepsEndsWithThePatienceForItsFile) {
     EXPECT_GE(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(400));
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
   }
+}
+
+// Processes that keep the first processor of this one busy, and this one on it.
+class Rivals {
+ public:
+  explicit Rivals(int count) {
+    ::sched_getaffinity(0, sizeof before_, &before_);
+    int first = 0;
+    while (!CPU_ISSET(first, &before_)) ++first;
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(first, &one);
+    ::sched_setaffinity(0, sizeof one, &one);
+    for (int i = 0; i < count; ++i) {
+      const pid_t rival = ::fork();
+      if (rival == 0)
+        for (std::atomic<unsigned> turns = 0;;) ++turns;
+      rivals_.push_back(rival);
+    }
+  }
+  Rivals(const Rivals&) = delete;
+  Rivals& operator=(const Rivals&) = delete;
+  ~Rivals() {
+    for (const pid_t rival : rivals_) {
+      ::kill(rival, SIGKILL);
+      ::waitpid(rival, nullptr, 0);
+    }
+    ::sched_setaffinity(0, sizeof before_, &before_);
+  }
+
+ private:
+  cpu_set_t before_{};
+  std::vector<pid_t> rivals_;
+};
+
+// Of those that have ended.
+double processor_seconds_of_children() {
+  rusage used{};
+  ::getrusage(RUSAGE_CHILDREN, &used);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(used.ru_utime) + seconds(used.ru_stime);
+}
+
+// It has a quarter of a processor, and must have been at work for most of the time that was allowed.
+TEST(ImporterProcess, TimeInWhichOthersHaveTheProcessorDoesNotCount) {
+  if (!std::filesystem::exists("/proc/self/schedstat")) GTEST_SKIP();
+  const Folder folder;
+  const std::string file = folder.file("a.plain", "plain");
+  const Rivals rivals(3);
+  const double begun = processor_seconds_of_children();
+  error_of([&] { read_by("exits", file); });
+  const double started = processor_seconds_of_children();
+  EXPECT_EQ(refusal_within({{"patience", "0.3"}}, "spins", file), file + ": reading it makes no progress for 0.3 s");
+  EXPECT_GE(processor_seconds_of_children() - started, started - begun + 0.2);
 }
 
 // 2^28 bytes, where 0.1e9 are allowed.
