@@ -22,6 +22,7 @@ import time
 from pathlib import Path
 
 WORKERS = 2
+AT_ONCE = 5 if "EPURA_AT_LENGTH" in os.environ else 2
 failures = []
 
 
@@ -140,7 +141,7 @@ def try_full_disk(epura, expected, parts):
 
 
 def try_two_at_once(epura, expected, parts):
-    for number in range(5):
+    for number in range(AT_ONCE):
         shutil.rmtree("out", ignore_errors=True)
         both = [subprocess.Popen(command(epura, "out"), stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
                 for _ in range(2)]
@@ -198,8 +199,8 @@ def try_names(epura):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("epura")
-    parser.add_argument("--kills", type=int, default=8)
-    parser.add_argument("--parts", type=int, default=300)
+    parser.add_argument("--kills", type=int, default=5)
+    parser.add_argument("--parts", type=int, default=120)
     parser.add_argument("--listed", type=int, default=2000)
     options = parser.parse_args()
     epura = os.path.abspath(options.epura)

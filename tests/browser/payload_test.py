@@ -3,7 +3,7 @@
 """Hostile titles, names and notes stay text in pages and pictures: payload_test.py EPURA.
 
 Each payload is put into every field of a drawing; the files are parsed (html.parser, an XML parser), and opened in a
-browser, if there is one, where none of them may run.
+browser, if there is one, where none of them may run: each third one, or all with EPURA_AT_LENGTH.
 """
 import html.parser
 import json
@@ -290,7 +290,7 @@ def main():
         if chromium.find():
             with chromium.Browser() as browser:
                 browser.call("Page.addScriptToEvaluateOnNewDocument", source="window.ran = () => { window.hasRun = 1; }")
-                for payload, page, _ in files:
+                for payload, page, _ in files[::1 if "EPURA_AT_LENGTH" in os.environ else 3]:
                     test_running(payload, page, browser)
         else:
             print("without a browser: there is no Chromium here (package chromium, or EPURA_CHROMIUM)")
