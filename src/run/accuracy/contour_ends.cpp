@@ -5,11 +5,10 @@
 #include <array>
 #include <cstddef>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "accuracy/judged_view.hpp"
-#include "drawing/moved_contours.hpp"
+#include "accuracy/seen_ink.hpp"
 
 namespace epura::accuracy {
 
@@ -20,7 +19,8 @@ class ContourEnds : JudgedView {
   using JudgedView::JudgedView;
 
   /// Where a surface curves both ways, its contour may end in a cusp, which facets do not have: theirs turns back
-  /// there, by a side of a facet too early or too late. Contours drawn on the surface have their own measure.
+  /// there, by a side of a facet too early or too late. It also turns back where it goes on: then there are other lines
+  /// beside it, and it is off no farther than these are. Contours drawn on the surface have their own measure.
   [[nodiscard]] double at_cusps() const {
     if (!judged_.is_whole) return 0;
     std::vector<Leg> legs = legs_of_saddles();
@@ -29,44 +29,27 @@ class ContourEnds : JudgedView {
     std::erase_if(legs, [&](const Leg& leg) { return rims[static_cast<std::size_t>(leg.from)] != 0; });
     std::stable_sort(legs.begin(), legs.end(), [](const Leg& a, const Leg& b) { return a.from < b.from; });
     double largest = 0;
+    std::vector<const Leg*> turning;
     for (std::size_t i = 0; i < legs.size(); ++i)
-      for (std::size_t j = i + 1; j < legs.size() && legs[j].from == legs[i].from; ++j)
-        if (glm::dot(legs[i].along, legs[j].along) > 0)
-          for (const Leg& leg : {legs[i], legs[j]})
-            if (leg.is_seen) largest = std::max(largest, leg.off);
-    return largest;
-  }
-
-  /// Contours drawn on the surface are hidden as those of facets: where they begin to be seen, they are off by as much
-  /// as they were moved there.
-  [[nodiscard]] double where_moved() const {
-    std::vector<char> seen_at(judged_.view.vertices.size(), 0), hidden_at(judged_.view.vertices.size(), 0);
-    std::vector<std::pair<int, int>> moved;  // vertices, and where they are drawn
-    for (std::size_t e = 0; e < judged_.edges.edges.size(); ++e) {
-      const edges::FeatureEdge& edge = judged_.edges.edges[e];
-      if (!drawing::is_moved(edge)) continue;
-      const SeenEnds seen = seen_ends(e);
-      for (std::size_t end = 0; end < 2; ++end) {
-        const auto vertex = static_cast<std::size_t>(edge.vertex[end]);
-        if (seen.at[end] || seen.changes) seen_at[vertex] = 1;
-        if (!seen.at[end] || seen.changes) hidden_at[vertex] = 1;
-        if (edge.shown[end] >= 0) moved.emplace_back(edge.vertex[end], edge.shown[end]);
+      for (std::size_t j = i + 1; j < legs.size() && legs[j].from == legs[i].from; ++j) {
+        if (!(glm::dot(legs[i].along, legs[j].along) > 0)) continue;
+        for (const Leg* leg : {&legs[i], &legs[j]})
+          if (leg->is_seen && leg->is_known)
+            turning.push_back(leg);
+          else if (leg->is_seen)
+            largest = std::max(largest, leg->off);
       }
-    }
-    double largest = 0;
-    for (const auto& [vertex, shown] : moved)
-      if (seen_at[static_cast<std::size_t>(vertex)] != 0 && hidden_at[static_cast<std::size_t>(vertex)] != 0)
-        largest = std::max(largest, glm::distance(place_of(shown), place_of(vertex)));
-    return std::min(largest, judged_.drawing.distances.contours_moved);
+    return turning.empty() ? largest : std::max(largest, off_other_lines(turning, largest));
   }
 
  private:
   /// A contour of facets, from one of its ends.
   struct Leg {
     int from;
-    Vec2 along;    ///< on paper, mm
-    double off;    ///< by which it may end too early or too late, mm
-    bool is_seen;  ///< there; of an unknown surface, in part
+    Vec2 along;     ///< on paper, mm
+    double off;     ///< by which it may end too early or too late, mm
+    bool is_seen;   ///< there; of an unknown surface, in part
+    bool is_known;  ///< its surface
   };
   /// Where a line is visible.
   struct SeenEnds {
@@ -103,17 +86,31 @@ class ContourEnds : JudgedView {
       if (std::none_of(beside.begin(), beside.end(), [&](int one) { return is_saddle(edge.model, one); })) continue;
       const Vec2 along = place_of(edge.vertex[1]) - place_of(edge.vertex[0]);
       const SeenEnds seen = seen_ends(e);
-      const bool in_part = placed.part == nullptr && (seen.at[0] || seen.at[1] || seen.changes);
+      const bool is_known = placed.part != nullptr;
+      const bool in_part = !is_known && (seen.at[0] || seen.at[1] || seen.changes);
       double off = glm::length(along);
       // Whole facets of an unknown surface face the wrong way.
       if (placed.part == nullptr)
         for (const int one : beside)
           off = std::max(off,
                          longest_side(first + one) * std::max(stretch_at(edge.vertex[0]), stretch_at(edge.vertex[1])));
-      legs.push_back({edge.vertex[0], along, off, seen.at[0] || in_part});
-      legs.push_back({edge.vertex[1], -along, off, seen.at[1] || in_part});
+      legs.push_back({edge.vertex[0], along, off, seen.at[0] || in_part, is_known});
+      legs.push_back({edge.vertex[1], -along, off, seen.at[1] || in_part, is_known});
     }
     return legs;
+  }
+
+  // By how much legs may end too early or too late where no other lines are: at most by their length. Less than `known`
+  // does not matter.
+  [[nodiscard]] double off_other_lines(std::vector<const Leg*> legs, double known) const {
+    std::stable_sort(legs.begin(), legs.end(), [](const Leg* a, const Leg* b) { return a->off > b->off; });
+    const SeenInk ink(judged_);
+    double largest = known;
+    for (const Leg* leg : legs) {
+      if (!(leg->off > largest)) break;
+      largest = ink.farthest_from_others({leg->from, leg->along}, largest);
+    }
+    return largest;
   }
 
   // By vertex: whether a surface ends there, and contours with it.
@@ -131,12 +128,6 @@ class ContourEnds : JudgedView {
       }
     }
     return rims;
-  }
-
-  /// On paper, mm, from the middle of the view.
-  [[nodiscard]] Vec2 place_of(int vertex) const {
-    const view::PageVertex& at = judged_.view.vertices[vertex];
-    return judged_.paper.scale * Vec2(at.x, at.y);
   }
 
   // Planes, cylinders, cones and spheres curve one way.
@@ -180,9 +171,6 @@ class ContourEnds : JudgedView {
 
 }  // namespace
 
-double off_at_ends_of_contours(const ViewToJudge& judged) {
-  const ContourEnds ends(judged);
-  return std::max(ends.where_moved(), ends.at_cusps());
-}
+double off_at_cusps(const ViewToJudge& judged) { return ContourEnds(judged).at_cusps(); }
 
 }  // namespace epura::accuracy

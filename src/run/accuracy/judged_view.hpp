@@ -16,6 +16,12 @@ class JudgedView {
   /// The view must outlive it.
   explicit JudgedView(const ViewToJudge& judged) : judged_(judged) {}
 
+  /// On paper, mm, from the middle of the view.
+  [[nodiscard]] Vec2 place_of(int vertex) const {
+    const view::PageVertex& at = judged_.view.vertices[vertex];
+    return judged_.paper.scale * Vec2(at.x, at.y);
+  }
+
   /// The longest image on paper of a unit length at a vertex of the view, mm: the larger singular value of the map's
   /// derivative.
   [[nodiscard]] double stretch_at(int vertex) const {

@@ -13,6 +13,7 @@
 #include "base/portable_math.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/limits.hpp"
+#include "drawing/settled_pieces.hpp"
 #include "view/condition.hpp"
 
 namespace epura::accuracy {
@@ -146,9 +147,27 @@ class Judge : JudgedView {
   }
 };
 
+/// How far it is, mm, from where it would be.
+struct MeasuredInk {
+  double merged;        ///< drawing::merged_by
+  double contour_ends;  ///< drawing::off_at_contour_ends
+};
+
+MeasuredInk measured_ink(const ViewToJudge& judged, const Progress& progress) {
+  MeasuredInk ink{judged.drawing.distances.joined_within, judged.edges.moved * judged.paper.scale};
+  try {
+    const visibility::ResolvedView lines{judged.world, judged.view, judged.edges, judged.hidden};
+    ink.merged = drawing::merged_by(lines, judged.paper, judged.options, judged.drawing, progress);
+    ink.contour_ends = drawing::off_at_contour_ends(lines, judged.paper, judged.options, progress);
+  } catch (const OutOfTime&) {  // the bounds stay
+  }
+  return ink;
+}
+
 }  // namespace
 
-report::ViewError error_of_view(const ViewToJudge& judged, const drawing::CurveReport& curves, bool hides) {
+report::ViewError error_of_view(const ViewToJudge& judged, const drawing::CurveReport& curves, bool hides,
+                                const Progress& progress) {
   report::ViewError error{judged.drawing.name};
   const Judge judge(judged);
   judge.add_surface(error);
@@ -156,12 +175,13 @@ report::ViewError error_of_view(const ViewToJudge& judged, const drawing::CurveR
   const double size = judged.view.extent * judged.paper.scale;
   const view::Condition condition =
       view::condition_of(judged.view.projection, judged.world.box, judged.world.one_rounding);
-  error[ErrorTerm::contours] = off_at_ends_of_contours(judged);
+  const MeasuredInk ink = measured_ink(judged, progress);
+  error[ErrorTerm::contours] = std::max(ink.contour_ends, off_at_cusps(judged));
   error[ErrorTerm::file] = condition.moved_by_files * size;
   error[ErrorTerm::map] = condition.number * rounding * size;
   error[ErrorTerm::grid] = judged.drawing.distances.coincident + drawing::on_line_mm;
   error[ErrorTerm::hiding] = hides ? guaranteed_part * size : 0;
-  error[ErrorTerm::merging] = judged.merged;
+  error[ErrorTerm::merging] = ink.merged;
   error[ErrorTerm::curves] = curves.deviation + curves.bulge;
   return error;
 }

@@ -2,7 +2,9 @@
 // How far the lines of a drawn view may be from those of the part.
 #pragma once
 
+#include "base/progress.hpp"
 #include "drawing/arcs.hpp"
+#include "drawing/make_drawing.hpp"
 #include "drawing/view_drawing.hpp"
 #include "edges/find_edges.hpp"
 #include "report/error_budget.hpp"
@@ -23,11 +25,13 @@ struct ViewToJudge {
   const visibility::HiddenSpans& hidden;
   const view::PaperMap& paper;
   const drawing::ViewDrawing& drawing;
-  double merged;  ///< drawing::merged_by
+  const drawing::DrawingOptions& options;  ///< those of the drawing
 };
 
-/// Returns all terms except `writing`. `hides` is false for wireframes.
-report::ViewError error_of_view(const ViewToJudge& judged, const drawing::CurveReport& curves, bool hides);
+/// Returns all terms except `writing`. `hides` is false for wireframes. Where time ends, what is measured on ink is the
+/// bound that the drawing has.
+report::ViewError error_of_view(const ViewToJudge& judged, const drawing::CurveReport& curves, bool hides,
+                                const Progress& progress = {});
 
 /// No span longer than this fraction of the drawing is shown wrongly (docs/numerics.md).
 inline constexpr double guaranteed_part = 1e-6;

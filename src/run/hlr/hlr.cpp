@@ -223,11 +223,9 @@ DrawnView draw_view(const world::World& world, view::ProjectedScene view, double
 double error_of(const world::World& world, const DrawnView& drawn, const epura_hlr_request& request,
                 const Progress& progress) {
   const world::FacetHeights heights = world::facet_heights(world, progress);
-  const double merged = drawing::merged_by({world, drawn.view, drawn.drawn, drawn.hidden}, drawn.paper,
-                                           drawing_of(request), drawn.drawing, progress);
-  return accuracy::error_of_view(
-             {world, heights, true, drawn.view, drawn.drawn, drawn.hidden, drawn.paper, drawn.drawing, merged},
-             drawn.curves, true)
+  return accuracy::error_of_view({world, heights, true, drawn.view, drawn.drawn, drawn.hidden, drawn.paper,
+                                  drawn.drawing, drawing_of(request)},
+                                 drawn.curves, true, progress)
       .total();
 }
 

@@ -441,16 +441,11 @@ std::optional<report::ViewError> ViewRun::judged(const DrawnLines& lines, const 
   if (input_.heights == nullptr) return std::nullopt;
   const bool is_whole = input_.section == nullptr && !options_.exploded &&
                         input_.heights->of_triangle.size() == input_.world.triangles.size();
-  double merged = lines.drawing.distances.joined_within;
-  try {
-    merged = drawing::merged_by({world_, view_, drawn_, hidden_}, paper, drawing_options(options_.least_crease),
-                                lines.drawing, budget_.run.with_part_of_the_time(part_for_judging));
-  } catch (const OutOfTime&) {  // the bound stays
-  }
   const auto refined = is_whole && refined_ ? std::optional(world::facet_heights(*refined_)) : std::nullopt;
-  return accuracy::error_of_view(
-      {world_, refined ? *refined : *input_.heights, is_whole, view_, drawn_, hidden_, paper, lines.drawing, merged},
-      lines.curves, !options_.wireframe);
+  return accuracy::error_of_view({world_, refined ? *refined : *input_.heights, is_whole, view_, drawn_, hidden_, paper,
+                                  lines.drawing, drawing_options(options_.least_crease)},
+                                 lines.curves, !options_.wireframe,
+                                 budget_.run.with_part_of_the_time(part_for_judging));
 }
 
 // The view of the cut models, in the same place; without lines if there is no time for them.

@@ -14,68 +14,18 @@
 #include "drawing/continue_lines.hpp"
 #include "drawing/dangles.hpp"
 #include "drawing/edge_on.hpp"
-#include "drawing/facet_doubts.hpp"
 #include "drawing/forwards.hpp"
 #include "drawing/ink.hpp"
 #include "drawing/ink_distance.hpp"
 #include "drawing/limits.hpp"
-#include "drawing/meet_contours.hpp"
 #include "drawing/moved_contours.hpp"
 #include "drawing/near_ink.hpp"
+#include "drawing/settled_pieces.hpp"
 #include "visibility/limits.hpp"
 
 namespace epura::drawing {
 
 namespace {
-
-// Hidden pieces of contours that are drawn on the surface are among them in any case.
-std::vector<Piece> pieces_of(const visibility::ResolvedView& lines, const view::PaperMap& paper, bool keep_hidden,
-                             const Progress& progress) {
-  const edges::FeatureEdges& drawn = lines.drawn;
-  const auto visit_drawn = [&](std::size_t e, const auto& visit) {
-    const bool keeps = keep_hidden || is_moved(drawn.edges[e]);
-    // What is in such spans is drawn in another way.
-    const auto visit_around = [&](double from, double to, std::span<const visibility::FacetsSpan> spans, bool visible) {
-      for (const visibility::FacetsSpan& span : spans) {
-        const double begin = std::clamp(span.from, from, to), end = std::clamp(span.to, from, to);
-        if (!(begin < end)) continue;
-        if (from < begin) visit(from, begin, visible, false);
-        if (visible) visit(begin, end, true, true);
-        from = end;
-      }
-      if (from < to) visit(from, to, visible, false);
-    };
-    lines.hidden.visit_parts(e, [&](double from, double to, bool visible) {
-      if (visible || keeps)
-        visit_around(from, to, visible ? lines.hidden.hidden_by_facets(e) : lines.hidden.folds_of(e), visible);
-    });
-  };
-  std::vector<std::size_t> first(drawn.edges.size() + 1, 0);  // index of the first piece, by edge
-  for (std::size_t e = 0; e < drawn.edges.size(); ++e) {
-    first[e + 1] = first[e];
-    visit_drawn(e, [&](double, double, bool, bool) { ++first[e + 1]; });
-  }
-  std::vector<Piece> pieces(first.back());
-  parallel_for(drawn.edges.size(), 1024, progress, [&](std::size_t begin, std::size_t end) {
-    for (std::size_t e = begin; e < end; ++e) {
-      const edges::FeatureEdge& edge = drawn.edges[e];
-      Piece* piece = pieces.data() + first[e];
-      visit_drawn(e, [&](double from, double to, bool visible, bool by_facets) {
-        *piece++ = {position_on_paper(lines.view, paper, edge, from),
-                    position_on_paper(lines.view, paper, edge, to),
-                    visible,
-                    /*drawn=*/true,
-                    edge.kind,
-                    static_cast<int>(e),
-                    {from, to},
-                    /*is_step=*/false,
-                    by_facets};
-      });
-      check(piece == pieces.data() + first[e + 1], "every piece of an edge has its place");
-    }
-  });
-  return pieces;
-}
 
 // Whether an edge ends at a vertex that refinement put inside a face of the part or on its border.
 bool ends_at_new_vertex(const visibility::ResolvedView& lines, const edges::FeatureEdge& edge, std::size_t end) {
@@ -331,9 +281,7 @@ std::vector<Piece> unmerged_pieces(const visibility::ResolvedView& lines, const 
                                    const DrawingOptions& options, const Progress& progress) {
   const bool keep_hidden = options.hidden || !options.leave_out;
   const double moved = lines.drawn.moved * paper.scale;
-  std::vector<Piece> pieces = pieces_of(lines, paper, keep_hidden, progress);
-  settle_doubts(pieces, options.near.distance > 0 ? std::max(options.near.distance, moved) : 0, progress);
-  meet_contours(lines, paper, 4 * coincidence_on_paper(lines.view, paper).tolerance, pieces);
+  std::vector<Piece> pieces = settled_pieces(lines, paper, options, progress).pieces;
   if (!keep_hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
   check(keep_hidden || std::ranges::all_of(pieces, &Piece::visible),
         "hidden pieces are kept only where they are asked for");

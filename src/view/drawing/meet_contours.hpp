@@ -14,7 +14,8 @@ namespace epura::drawing {
 
 /// Moves T-junctions, which turns and divides pieces, and then those other ends that lie within `tolerance` mm of a
 /// visible contour of the mesh to where the contour is drawn. Pieces are in the order that move_t_junctions needs.
-void meet_contours(const visibility::ResolvedView& lines, const view::PaperMap& paper, double tolerance,
-                   std::vector<Piece>& pieces);
+/// Returns by how much visible contours may end too early or too late (TJunctions::off).
+double meet_contours(const visibility::ResolvedView& lines, const view::PaperMap& paper, double tolerance,
+                     std::vector<Piece>& pieces);
 
 }  // namespace epura::drawing

@@ -2,9 +2,15 @@
 // `epura study` becomes another program, or says that there is none.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <csignal>
+#include <numbers>
 
 #include "at_length.hpp"
+#include "base/file.hpp"
+#include "base/text.hpp"
 #include "errors.hpp"
 #include "program.hpp"
 
@@ -86,6 +92,73 @@ TEST(MaxError, IsKeptWhereFacesAreTangent) {
                                "A3", "--scale", "2:1", "--max-error", allowed, "-o", "x.svg"},
                               folder / "");
     EXPECT_EQ(run.code, 0) << run.err;
+  }
+}
+
+constexpr double rim = 20, height = 30;  // of a hyperboloid of one sheet, from the plane of its waist
+
+// Of facets along its straight lines, which turn by a right angle from one rim to the other, as meshers make it.
+std::string hyperboloid(int around, int rows) {
+  std::string text, bottom = "f", top = "f";
+  const auto number = [&](int row, int i) { return ' ' + std::to_string(row * around + i % around + 1); };
+  for (int row = 0; row <= rows; ++row)
+    for (int i = 0; i < around; ++i) {
+      const double part = static_cast<double>(row) / rows, a = 2 * std::numbers::pi * i / around;
+      const double c = std::cos(a), s = std::sin(a);
+      text += "v " + format_number(rim * (c - part * (c + s))) + ' ' + format_number(rim * (s + part * (c - s))) + ' ' +
+              format_number(height * (2 * part - 1)) + '\n';
+    }
+  for (int i = 0; i < around; ++i) {
+    bottom += number(0, around - 1 - i);
+    top += number(rows, i);
+    for (int row = 0; row < rows; ++row) {
+      const std::string a = number(row, i), c = number(row + 1, i + 1);
+      text += "f" + a + number(row, i + 1) + c + "\nf" + a + c + number(row + 1, i) + '\n';
+    }
+  }
+  return text + bottom + '\n' + top + '\n';
+}
+
+// The largest distance of ends of lines from the outline of the hyperboloid, x^2 = (rim^2 + slope^2 z^2) / 2, and its
+// rims, in a drawing in which each millimetre is one of its own.
+double off_hyperboloid(const std::string& json) {
+  std::vector<std::vector<double>> ends;
+  for (const std::string key : {"{\"from\": [", "\"to\": ["})
+    for (std::size_t at = json.find(key); at != std::string::npos; at = json.find(key, at + 1)) {
+      const std::size_t from = at + key.size();
+      ends.push_back(parse_numbers(json.substr(from, json.find(']', from) - from)).value());
+    }
+  const auto middle = [&](std::size_t axis) {
+    const auto [low, high] = std::ranges::minmax(ends, {}, [&](const auto& end) { return end[axis]; });
+    return (low[axis] + high[axis]) / 2;
+  };
+  const double x0 = middle(0), z0 = middle(1), slope = rim / height;
+  double largest = 0;
+  for (const std::vector<double>& end : ends) {
+    const double x = end[0] - x0, z = end[1] - z0;
+    const double value = x * x - (rim * rim + slope * slope * z * z) / 2;
+    const double off = std::abs(value) / std::hypot(2 * x, slope * slope * z);
+    largest = std::max(largest, std::min(off, std::abs(height - std::abs(z))));
+  }
+  return largest;
+}
+
+// Contours of its facets go there and back along its straight lines, and are not as far off as these are long.
+TEST(MaxError, CountsHowFarContoursLeadAway) {
+  const Folder folder;
+  for (const auto& [around, rows] : {std::array{24, 24}, {48, 6}, {96, 12}, {192, 24}}) {
+    write_file(folder / "hyperboloid.obj", hyperboloid(around, rows));
+    const Outcome run = epura({"draw", "hyperboloid.obj", "--projection", "front", "--hidden", "none", "--sheet",
+                               "none", "--scale", "1:1", "-o", "x.json"},
+                              folder / "");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const std::string json = read_file(folder / "x.json"), key = "\"total\": ";
+    const std::size_t from = json.find(key) + key.size();
+    const double stated = parse_number(json.substr(from, json.find(',', from) - from)).value();
+    const double measured = off_hyperboloid(json);
+    EXPECT_GT(measured, 0.01);
+    EXPECT_LE(measured, stated) << around << ' ' << rows;
+    EXPECT_LE(stated, 5 * measured) << around << ' ' << rows;
   }
 }
 

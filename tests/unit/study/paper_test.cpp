@@ -27,10 +27,11 @@ TEST_P(Paper, LinesAreWithinTheStatedError) {
       const PaperRun run = draw_on_paper(form, around, way, laboratory);
       EXPECT_LE(run.error.ink(), run.error.budget.total()) << paper_ways[static_cast<std::size_t>(way)] << around;
       EXPECT_GT(run.error.ink(), 0);
-      // Arcs are far better than estimates; and contours of recognised tori end in their cusps, where the budget allows
-      // for a facet.
-      if (way == PaperWay::arcs || (way == PaperWay::recognised && form.has_cusps)) continue;
-      EXPECT_LE(run.error.budget.total(), 25 * run.error.ink()) << paper_ways[static_cast<std::size_t>(way)] << around;
+      if (way == PaperWay::arcs) continue;  // far better than estimates
+      // Where facets alone tell where a contour ends, coarse ones are off by a part of a facet.
+      const double at_most = form.has_cusps && around < 48 ? 25 : 5;
+      EXPECT_LE(run.error.budget.total(), at_most * run.error.ink())
+          << paper_ways[static_cast<std::size_t>(way)] << around;
     }
 }
 
@@ -39,6 +40,26 @@ TEST(PaperArcs, AreOnTheSurfaceOfABall) {
   const PaperScene form = scene_of(closed_forms().front());
   ASSERT_EQ(form.name, "sphere");
   EXPECT_LT(draw_on_paper(form, 12, PaperWay::arcs, laboratory).error.ink(), 1e-3);
+}
+
+// Their contours end in cusps and behind each other, some of them where facets alone tell.
+TEST(PaperTori, AreWithinTheStatedErrorInOtherViews) {
+  struct Row {
+    double tube;
+    const char* direction;
+    int around;
+  };
+  for (const auto& [tube, direction, around] : {Row{3, "1,-1,0.3", 12},
+                                                {6, "0.2,-1,0.6", 48},
+                                                {8, "0.2,-1,0.6", 16},
+                                                {12, "0.3,-1,0.45", 12},
+                                                {15, "1,-1,1", 32}}) {
+    ClosedForm form{.name = "torus",
+                    .projection = std::string("auxiliary:direction=") + direction,
+                    .bodies = {{.kind = RoundBody::Kind::torus, .radius = 20, .tube = tube}}};
+    const PaperRun run = draw_on_paper(scene_of(form), around, PaperWay::recognised, laboratory);
+    EXPECT_LE(run.error.ink(), run.error.budget.total()) << tube << ' ' << direction;
+  }
 }
 
 // Twice as many facets around have a quarter of the error. At a cusp, they do not.
