@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
 """The types of the module, and of what is written with it."""
-import os
 from pathlib import Path
 
 import epura
@@ -30,20 +29,27 @@ print(epura.compare(drawing, "a.svg").differences[0]["change"])
 '''
 
 
-def mypy(*arguments):
+@pytest.fixture(scope="module")
+def mypy(tmp_path_factory):
+    """Runs it; what one run learns of numpy, which takes most of the time, the next ones know."""
     api = pytest.importorskip("mypy.api")
-    text, errors, status = api.run(["--strict", "--cache-dir", os.devnull, "--no-error-summary", *arguments])
-    return text + errors, status
+    cache = tmp_path_factory.mktemp("cache")
+
+    def run(*arguments):
+        text, errors, status = api.run(["--strict", "--cache-dir", str(cache), "--no-error-summary", *arguments])
+        return text + errors, status
+
+    return run
 
 
-def test_the_module_is_typed():
+def test_the_module_is_typed(mypy):
     package = Path(epura.__file__).parent
     text, status = mypy("--ignore-missing-imports", "--no-warn-unused-ignores", "--allow-any-generics", str(package),
                         str(package.parent / "pytest_epura.py"))
     assert status == 0, text
 
 
-def test_what_uses_it_is_typed(tmp_path, monkeypatch):
+def test_what_uses_it_is_typed(mypy, tmp_path, monkeypatch):
     monkeypatch.setenv("MYPYPATH", str(Path(epura.__file__).parent.parent))
     use = tmp_path / "use.py"
     use.write_text(USE)
