@@ -210,6 +210,53 @@ TEST(Check, FindsChangedAttachments) {
                "layer sheet/text is not as drawn now");
 }
 
+/// The same drawing with the first byte of a file changed that it carries, or without this file.
+std::string with_damage(const std::string& bytes, bool is_pdf, const std::string& name, bool is_removed) {
+  if (!is_pdf) {
+    const std::size_t named = bytes.find(" name=\"" + name + "\" type="), text = bytes.find('>', named) + 1;
+    EXPECT_NE(named, bytes.npos) << name;
+    const std::string end = "</epura:attachment>";
+    if (is_removed) return bytes.substr(0, bytes.rfind('<', named)) + bytes.substr(bytes.find(end, named) + end.size());
+    std::string changed = bytes;
+    changed[text] = changed[text] == 'Z' ? 'Y' : 'Z';
+    return changed;
+  }
+  return rewritten(bytes, [&](qpdf_data pdf) {
+    const qpdf_oh stream = attachment_of(pdf, name);
+    if (!is_removed) {
+      std::string content = content_of(pdf, stream);
+      content[0] = content[0] == '~' ? '|' : '~';
+      return replace_content(pdf, stream, content);
+    }
+    const qpdf_oh files = qpdf_oh_get_key(pdf, qpdf_get_root(pdf), "/AF");
+    for (int i = qpdf_oh_get_array_n_items(pdf, files); i-- > 0;)
+      if (qpdf_oh_get_utf8_value(pdf, qpdf_oh_get_key(pdf, qpdf_oh_get_array_item(pdf, files, i), "/UF")) == name)
+        qpdf_oh_erase_item(pdf, files, i);
+  });
+}
+
+// Whatever it carries, in whatever format: a scene file, a model, sheets as JSON, what lint finds, the proof itself.
+TEST(Check, FindsDamageOfEachFile) {
+  const Folder folder;
+  write_file(folder / "box.obj", box_of_height("20"));
+  write_file(folder / "scene.toml", "[[model]]\nfile = \"box.obj\"\n[[view]]\nprojection = \"front\"\n");
+  const Outcome run = epura({"draw", "scene.toml", "--proof", "model", "-o", "box.pdf", "-o", "box.svg"}, folder / "");
+  ASSERT_EQ(run.code, 0) << run.err;
+  std::filesystem::remove(folder / "box.obj");
+  for (const std::string drawing : {"box.pdf", "box.svg"}) {
+    const std::string bytes = read_file(folder / drawing);
+    for (const std::string name : {"box.obj", "drawing-1.json", "lint.json", "proof.toml", "scene.toml"})
+      for (const bool is_removed : {false, true}) {
+        write_file(folder / drawing, with_damage(bytes, drawing == "box.pdf", name, is_removed));
+        const Outcome check = epura({"check", drawing}, folder / "");
+        EXPECT_NE(check.code, 0) << drawing << name << is_removed << check.out;
+        const std::string told = is_removed && name == "proof.toml" ? "carries no proof" : name;
+        EXPECT_TRUE(contains(check.out + check.err, told)) << drawing << name << is_removed << check.out << check.err;
+        EXPECT_FALSE(check.out.ends_with("\nproved: it is what its models and options give\n")) << drawing << name;
+      }
+  }
+}
+
 // Hashes that fit help nobody: the drawing is made again.
 TEST(Check, FindsAnotherModelWithItsOwnHash) {
   const Drawn drawn("box.pdf", "model");
