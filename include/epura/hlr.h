@@ -67,11 +67,25 @@ EPURA_EXPORT void epura_hlr_model_free(epura_hlr_model* model);
  * that. Valid as long as the model. NULL for NULL. */
 EPURA_EXPORT const epura_sink* epura_hlr_sink(epura_hlr_model* model);
 
+/* Exact surfaces and edges, so that facets may be coarse: those of faces that are not planes are divided until they are
+ * near enough. Both functions are called by the thread that calls epura_hlr_finish, with numbers of the calls of the
+ * sink, from 0. For each of `count` points near a face or an edge of a shape, three numbers each, they give the nearest
+ * one of its surface or curve. Anything but 0 is an error. Where faces meet at an angle, there must be an edge. */
+typedef struct epura_hlr_exact {
+  uint32_t size; /* sizeof(epura_hlr_exact) */
+  uint32_t unused;
+  void* host; /* the first argument of both */
+  int (*face)(void* host, uint32_t shape, uint32_t face, uint64_t count, const double* points, double* nearest);
+  int (*edge)(void* host, uint32_t shape, uint32_t edge, uint64_t count, const double* points, double* nearest);
+  double tolerance; /* greatest distance of middles of facets and of their sides, units of the points */
+} epura_hlr_exact;
+
 typedef struct epura_hlr_settings {
   uint32_t size;    /* sizeof(epura_hlr_settings) */
   uint32_t is_mesh; /* not 0: faces are not recognised where none are declared */
   uint32_t threads; /* greatest number of threads; 0: all cores */
   uint32_t unused;
+  const epura_hlr_exact* exact; /* may be NULL */
 } epura_hlr_settings;
 
 /* Checks the model and finds its edges; it can be drawn, but not changed, from now on. `settings` may be NULL. Returns

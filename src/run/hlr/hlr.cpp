@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <cstring>
 #include <exception>
 #include <limits>
 #include <memory>
@@ -26,6 +28,8 @@
 #include "edges/crossing_candidates.hpp"
 #include "edges/find_edges.hpp"
 #include "hlr/curves.hpp"
+#include "hlr/exact.hpp"
+#include "hlr/limits.hpp"
 #include "hlr/model.hpp"
 #include "importer/sink.hpp"
 #include "projection/answer.hpp"
@@ -49,9 +53,6 @@ struct epura_hlr_drawing {
 };
 
 namespace {
-
-// Longest side of a drawing whose scale is not given.
-constexpr double usual_side_mm = 1000;
 
 template <std::size_t size>
 void put(char (&to)[size], std::string_view text) {
@@ -89,7 +90,7 @@ int guarded(epura_hlr_error* error, const Work& work) noexcept {
   } catch (const std::exception& wrong) {
     return fail(error, EPURA_HLR_INPUT, "", wrong.what(), "");
   } catch (...) {
-    return fail(error, EPURA_HLR_INPUT, "progress", "throws an exception across the C interface", "");
+    return fail(error, EPURA_HLR_BROKEN, "", "an exception of no kind", "please report it");
   }
 }
 
@@ -107,11 +108,33 @@ int threads_of(std::uint32_t threads) {
   return static_cast<int>(std::min<std::uint32_t>(threads, std::numeric_limits<int>::max()));
 }
 
+// Callers of the first version end before `exact`.
+epura_hlr_settings settings_of(const epura_hlr_settings* given) {
+  epura_hlr_settings settings{};
+  if (given == nullptr) return settings;
+  constexpr std::size_t first_size = offsetof(epura_hlr_settings, exact);
+  expect(given->size >= first_size, "settings", "has the size " + std::to_string(given->size),
+         "set size to sizeof, at least " + std::to_string(first_size));
+  std::memcpy(&settings, given, std::min<std::size_t>(given->size, sizeof settings));
+  return settings;
+}
+
+void expect_usable(const epura_hlr_exact& exact) {
+  expect_size(exact, "exact");
+  expect(exact.face != nullptr && exact.edge != nullptr, "exact", "lacks a function",
+         "give that of faces and of edges");
+  expect(exact.tolerance > 0 && std::isfinite(exact.tolerance), "exact", "its tolerance is not positive and finite",
+         "");
+}
+
 void finish(epura_hlr_model& model, const epura_hlr_settings& settings) {
-  expect_size(settings, "settings");
   expect(!model.finished, "model", "is finished already", "begin a new one");
   expect(model.sink.fault().empty(), "sink", "a call " + model.sink.fault(), "");
   const ThreadLimit limit(threads_of(settings.threads));
+  if (settings.exact != nullptr) {
+    expect_usable(*settings.exact);
+    hlr::follow_surfaces(model.sink.document(), *settings.exact);
+  }
   model.finished = hlr::make_model(model.sink.document(), settings.is_mesh != 0);
   model.sink.document() = {};
   model.sink.end();
@@ -121,6 +144,14 @@ projection::Projection answered(const epura_view& view, const std::string& place
   const std::string fault = projection::fault_of(view);
   expect(fault.empty(), place, fault, "");
   return projection::projection_of(view);
+}
+
+projection::PluginAnswer asked(const epura_projection& row, const std::vector<double>& values, const Box& box) {
+  try {
+    return projection::call_plugin(row, values, box);
+  } catch (const Error& error) {
+    throw Error(error.kind(), "projection", error.what(), error.hint());
+  }
 }
 
 projection::Projection projected(const epura_projection& row, const double* given, const Box& box) {
@@ -134,7 +165,7 @@ projection::Projection projected(const epura_projection& row, const double* give
     values.insert(values.end(), parameter.initial, parameter.initial + parameter.count);
   }
   if (given != nullptr) std::copy_n(given, values.size(), values.begin());
-  const projection::PluginAnswer answer = projection::call_plugin(row, values, box);
+  const projection::PluginAnswer answer = asked(row, values, box);
   expect(!answer.refusal, "values", answer.refusal.value_or(""), "");
   return answered(answer.view, "projection");
 }
@@ -229,6 +260,14 @@ double error_of(const world::World& world, const DrawnView& drawn, const epura_h
       .total();
 }
 
+int told(const epura_hlr_request& request, const std::string& stage, double done) {
+  try {
+    return request.progress(request.host, stage.c_str(), done);
+  } catch (...) {
+    refuse_input("progress", "throws an exception across the C interface");
+  }
+}
+
 std::unique_ptr<epura_hlr_drawing> draw(const epura_hlr_model& model, const epura_hlr_request& request) {
   expect_size(request, "request");
   expect_numbers(request);
@@ -238,7 +277,7 @@ std::unique_ptr<epura_hlr_drawing> draw(const epura_hlr_model& model, const epur
   std::stop_source stop;
   ProgressBoard board;
   const auto tell = [&](const std::string& stage, double done) {
-    if (request.progress != nullptr && request.progress(request.host, stage.c_str(), done) != 0) stop.request_stop();
+    if (request.progress != nullptr && told(request, stage, done) != 0) stop.request_stop();
   };
   board.observe({tell, stop.get_token()});
   const Progress progress(board);
@@ -248,7 +287,7 @@ std::unique_ptr<epura_hlr_drawing> draw(const epura_hlr_model& model, const epur
   view::ProjectedScene seen = view::project_scene(world, projection, {});
   // A single point has no extent.
   const double side = seen.extent / seen.map.normalisation * seen.projection.scale;
-  const double scale = request.scale > 0 ? request.scale : side > 0 ? usual_side_mm / side : 1;
+  const double scale = request.scale > 0 ? request.scale : side > 0 ? hlr::usual_side_mm / side : 1;
   const DrawnView found = draw_view(world, std::move(seen), scale, request, progress);
   progress.expect_not_stopped();
   auto made = std::make_unique<epura_hlr_drawing>();
@@ -287,7 +326,7 @@ const epura_sink* epura_hlr_sink(epura_hlr_model* model) { return model == nullp
 int epura_hlr_finish(epura_hlr_model* model, const epura_hlr_settings* settings, epura_hlr_error* error) {
   return guarded(error, [&] {
     expect(model != nullptr, "model", "is null", "make it by epura_hlr_model_new");
-    finish(*model, settings == nullptr ? epura_hlr_settings{sizeof(epura_hlr_settings), 0, 0, 0} : *settings);
+    finish(*model, settings_of(settings));
   });
 }
 

@@ -114,7 +114,7 @@ TEST_F(BadHlrInput, OfAProjectionIsNamed) {
   row.project = [](const double*, const epura_scene*, epura_view*) -> const char* { return nullptr; };
   expect_refused(request, "projection");
   row.project = [](const double*, const epura_scene*, epura_view*) -> const char* { throw std::runtime_error("no"); };
-  expect_refused(request, "", EPURA_HLR_PLUGIN);
+  expect_refused(request, "projection", EPURA_HLR_PLUGIN);
   row.project = nullptr;
   expect_refused(request, "projection");
 }
@@ -141,7 +141,9 @@ TEST_F(BadHlrInput, IsNotACallThatWasStopped) {
   request.progress = [](void*, const char*, double) { return 1; };
   expect_refused(request, "progress", EPURA_HLR_STOPPED);
   request.progress = [](void*, const char*, double) -> int { throw std::runtime_error("no"); };
-  expect_refused(request, "");
+  expect_refused(request, "progress");
+  request.progress = [](void*, const char*, double) -> int { throw 1; };
+  expect_refused(request, "progress");
 }
 
 TEST_F(BadHlrInput, AndGoodOneLeaveNoMemoryBehind) {

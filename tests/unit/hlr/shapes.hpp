@@ -76,7 +76,7 @@ struct HlrModel {
   }
   void finish(bool is_mesh = false) const {
     epura_hlr_error error = no_error();
-    const epura_hlr_settings settings{sizeof settings, is_mesh ? 1U : 0U, 1, 0};
+    const epura_hlr_settings settings{sizeof settings, is_mesh ? 1U : 0U, 1, 0, nullptr};
     EXPECT_EQ(epura_hlr_finish(model.get(), &settings, &error), EPURA_HLR_DONE) << error.place << error.reason;
   }
   [[nodiscard]] Drawing draw(const epura_hlr_request& request) const {
