@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/colour.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "compare/picture_maker.hpp"
@@ -18,6 +19,7 @@
 #include "scene/line_roles.hpp"
 #include "svg/affine_map.hpp"
 #include "svg/flatten.hpp"
+#include "svg/style.hpp"
 
 namespace epura::compare {
 
@@ -114,6 +116,7 @@ struct PenState {
   svg::AffineMap map{};
   double width = 1;
   bool dashed = false;
+  Colour of_lines{}, of_areas{};
 };
 
 struct SubPath {
@@ -123,6 +126,21 @@ struct SubPath {
 
 // The phase is a number, too.
 bool sets_dashes(const PdfOperation& operation) { return operation.name == "d" && operation.numbers.size() > 1; }
+
+// Shades of grey, or red, green and blue; in capitals those of lines. ISO 32000-1, 8.6.8.
+bool set_colour(const PdfOperation& operation, PenState& pen) {
+  const std::string_view name = operation.name;
+  const bool of_lines = name == "G" || name == "RG";
+  if (!of_lines && name != "g" && name != "rg") return false;
+  const std::size_t parts = name.size() == 1 ? 1 : 3;
+  if (operation.numbers.size() != parts) return false;
+  const auto part = [&](std::size_t i) {
+    const double share = operation.numbers[parts == 1 ? 0 : i];
+    return share > 0 ? static_cast<int>(std::lround(255 * std::min(share, 1.0))) : 0;
+  };
+  (of_lines ? pen.of_lines : pen.of_areas) = {part(0), part(1), part(2)};
+  return true;
+}
 
 bool has_dashes(std::string_view content) {
   bool found = false;
@@ -195,7 +213,7 @@ class PdfReader {
         pen.width = n[0];
       } else if (name == "d") {
         pen.dashed = sets_dashes(operation);
-      } else {
+      } else if (!set_colour(operation, pen)) {
         extend_path(operation, pen.map);
       }
       tell(operation, pen);
@@ -228,9 +246,11 @@ class PdfReader {
   void paint(std::string_view name, const PenState& pen) {
     if (name == "S" || name == "s") {
       const bool dashed = broken_ || pen.dashed;
-      add_path({role_, !hidden_, false, pen.width * pen.map.scale(), dashed ? some_dashes : std::vector<double>()});
+      add_path({role_, !hidden_, false, pen.width * pen.map.scale(), dashed ? some_dashes : std::vector<double>(),
+                svg::colour_of(hexadecimal(pen.of_lines))});
     }
-    if (name == "f" || name == "f*") add_path({role_ + " area", true, true});
+    if (name == "f" || name == "f*")
+      add_path({role_ + " area", true, true, 0, {}, svg::colour_of(hexadecimal(pen.of_areas))});
     if (name == "S" || name == "s" || name == "f" || name == "f*" || name == "n") path_.clear();
     if (name == "B" || name == "B*" || name == "b" || name == "b*" || name == "sh" || name == "BI")
       refuse("uses unsupported painting operators");

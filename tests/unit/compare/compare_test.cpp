@@ -247,6 +247,19 @@ TEST(Compare, SeesTheSameInSvgAndPdfOfShortHiddenLines) {
   EXPECT_EQ(changes(compare::compare(pdf, as_svg(sheet, plain), 0.001)), "");
 }
 
+TEST(Compare, SeesTheSameColoursInSvgAndPdf) {
+  sheet::Sheet sheet = plate();
+  sheet.layers[visible].style.colour = {204, 0, 0};
+  sheet.layers[dimension].style.colour = {0, 51, 102};
+  const auto as_pdf = [](const sheet::Sheet& s) {
+    return compare::PictureFile{false, true, compare::pictures_of_pdf(output::to_pdf({&s}), "test.pdf")};
+  };
+  EXPECT_EQ(changes(compare::compare(as_svg(sheet), as_pdf(sheet), 0.001)), "");
+  sheet::Sheet green = sheet;
+  green.layers[visible].style.colour = {0, 204, 0};
+  EXPECT_TRUE(contains(changes(compare::compare(as_pdf(sheet), as_pdf(green), 0.001)), "restyled"));
+}
+
 TEST(Compare, TellsByHowMuchALineMoved) {
   sheet::Sheet edited = plate();
   move(stroke(edited, visible, 2), {0, 0.25});
