@@ -17,18 +17,21 @@ struct Guess {
   Unit unit;
   double step, beside;  ///< round diameters are whole steps, to within `beside`
   double least, most;
+  double exact_below = 0, exact = 0;  ///< diameters below are round to within this: too many others are near them
 };
 
-// Drawings in inches round sixty-fourths to three decimals. Earlier units have precedence, as their round diameters
-// often are those of later ones, too: these must leave at most half as many that are not round.
-constexpr std::array guesses{Guess{Unit::mm, 0.5, 5e-4, 2, 2e4}, Guess{Unit::in, 1.0 / 64, 6e-4, 0.1, 400},
+// Drawings in inches round sixty-fourths to three decimals: 16 mm in metres are one of them, too. Earlier units have
+// precedence, as their round diameters often are those of later ones, too: these must leave at most half as many that
+// are not round.
+constexpr std::array guesses{Guess{Unit::mm, 0.5, 5e-4, 2, 2e4},
+                             Guess{Unit::in, 1.0 / 64, 6e-4, 0.1, 400, 1.0 / 16, 1e-5},
                              Guess{Unit::m, 0.0005, 5e-7, 0.005, 100}};
 
 double share_of_round(const std::vector<double>& diameters, const Guess& guess) {
   if (diameters.empty()) return 0;
   const auto is_round = [&](double d) {
     const double steps = std::nearbyint(d / guess.step);
-    return steps >= 1 && std::abs(d - steps * guess.step) < guess.beside;
+    return steps >= 1 && std::abs(d - steps * guess.step) < (d < guess.exact_below ? guess.exact : guess.beside);
   };
   return static_cast<double>(std::count_if(diameters.begin(), diameters.end(), is_round)) /
          static_cast<double>(diameters.size());

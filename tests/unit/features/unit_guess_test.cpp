@@ -35,6 +35,13 @@ TEST(UnitGuess, TriesInchesBeforeMetres) {
   EXPECT_EQ(guessed(9, {0.3, 0.36}), Unit::m) << "columns of a house";
 }
 
+// Rounded to three decimals, sixty-fourths below a sixteenth are near any size of a small part in metres.
+TEST(UnitGuess, TakesMillimetresInMetresForNoSixtyFourths) {
+  EXPECT_EQ(guessed(0.195, {0.016, 0.016, 0.016}), Unit::m);
+  EXPECT_EQ(guessed(0.3, {0.031, 0.047}), Unit::m);
+  EXPECT_EQ(guessed(1, {0.03125, 0.046875}), Unit::in);
+}
+
 // Whole numbers are round in any unit; a few odd ones that are near a sixty-fourth prove nothing.
 TEST(UnitGuess, StaysWithMillimetresWhenMostAreRoundInThem) {
   EXPECT_EQ(guessed(164, {8, 12, 16, 17, 80, 4.328125, 3.7, 11.3, 9.9}), Unit::mm);
