@@ -188,6 +188,7 @@ class Rounded {
 
   std::string operator()(double value) const {
     constexpr int max_decimals = 9, digits = 7;
+    if (std::abs(value) < std::pow(10, -decimals_) / 2) value = 0;
     const bool readable = decimals_ <= max_decimals && std::abs(value) < 1e9;
     return readable ? format_fixed(value, std::max(static_cast<int>(decimals_), 0)) : format_rounded(value, digits);
   }

@@ -62,6 +62,14 @@ TEST(InfoCommand, OfASurfaceThatIsNoPartItTellsTheRest) {
   EXPECT_FALSE(contains(run.out, "holes")) << run.out;
 }
 
+// As kernels write the corner of a body that was turned.
+TEST(InfoCommand, WhatIsFarBelowThePrecisionOfTheFileIsNothing) {
+  const Folder folder;
+  folder.file("a.obj", "v -8.881784197001252e-16 0 1e-15\nv 1 0 0\nv 0.12345678901234567 1 0\nf 1 2 3\n");
+  const Outcome run = info({"a.obj"}, folder);
+  EXPECT_TRUE(contains(run.out, "from (0, 0, 0) to (1, 1, 0)")) << run.out;
+}
+
 TEST(InfoCommand, TellsRepairs) {
   const Folder folder;
   folder.file("square.obj", square);
