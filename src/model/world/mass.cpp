@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <utility>
 
 namespace epura::world {
@@ -19,6 +20,20 @@ struct Shell {
   Solid solid;
   Box box;
   Vec3 moment{0};  ///< integral of the position over the volume, relative to the origin of the sum
+  std::vector<int> triangles{};
+};
+
+/// Places of the corners of triangles.
+struct Corners {
+  const mesh::Mesh& mesh;
+  const Mat4& to_world;
+
+  [[nodiscard]] std::array<Vec3, 3> of(int triangle) const {
+    std::array<Vec3, 3> places;
+    const auto corners = mesh.triangle(triangle);
+    for (std::size_t i = 0; i < 3; ++i) places[i] = Vec3(to_world * Vec4(mesh.point(corners[i]), 1));
+    return places;
+  }
 };
 
 /// Numbers of edges with a missing triangle, and of those that triangles do not use as often in one direction as in the
@@ -79,25 +94,31 @@ bool is_inside(const Box& inner, const Box& outer) {
   return glm::all(glm::lessThan(outer.min, inner.min)) && glm::all(glm::lessThan(inner.max, outer.max));
 }
 
-// The smallest body around a shell that is turned inwards; null if there is none.
-Shell* around(std::vector<Shell>& shells, const Shell& cavity) {
-  Shell* best = nullptr;
-  for (Shell& one : shells)
-    if (one.solid.volume > 0 && is_inside(cavity.box, one.box) &&
-        (best == nullptr || one.solid.volume < best->solid.volume))
-      best = &one;
-  return best;
+// Whether the middle of the first triangle of a shell lies in what another one encloses, not on it: by the solid angle
+// of that, which is 4 pi from within, 0 from outside, and 2 pi from a face.
+bool is_enclosed(const Shell& inner, const Shell& outer, const Corners& corners) {
+  if (!is_inside(inner.box, outer.box)) return false;
+  const auto [p, q, r] = corners.of(inner.triangles.front());
+  const Vec3 eye = (p + q + r) / 3.0;
+  double angle = 0;
+  for (const int triangle : outer.triangles) {
+    const auto places = corners.of(triangle);
+    const Vec3 a = places[0] - eye, b = places[1] - eye, c = places[2] - eye;
+    const double length_a = glm::length(a), length_b = glm::length(b), length_c = glm::length(c);
+    angle += 2 * std::atan2(glm::dot(a, glm::cross(b, c)), length_a * length_b * length_c + glm::dot(a, b) * length_c +
+                                                               glm::dot(b, c) * length_a + glm::dot(c, a) * length_b);
+  }
+  return std::abs(angle) > 3 * std::numbers::pi;
 }
 
-std::vector<Shell> shells_of(const mesh::Mesh& mesh, const Mat4& to_world, const Vec3& origin) {
+std::vector<Shell> shells_of(const Corners& corners, const Vec3& origin) {
+  const mesh::Mesh& mesh = corners.mesh;
   std::vector<Shell> shells;
   for (int t = 0; t < mesh.triangle_count(); ++t) {
     const int body = mesh.body[static_cast<std::size_t>(t)];
     while (static_cast<int>(shells.size()) <= body) shells.push_back({{static_cast<int>(shells.size())}, {}});
-    std::array<Vec3, 3> p;
-    const auto corners = mesh.triangle(t);
-    for (std::size_t i = 0; i < 3; ++i) p[i] = Vec3(to_world * Vec4(mesh.point(corners[i]), 1));
-    add_triangle(shells[static_cast<std::size_t>(body)], p, origin);
+    add_triangle(shells[static_cast<std::size_t>(body)], corners.of(t), origin);
+    shells[static_cast<std::size_t>(body)].triangles.push_back(t);
   }
   return shells;
 }
@@ -107,13 +128,42 @@ void turn(Shell& shell) {
   shell.moment = -shell.moment;
 }
 
-// If the largest one is turned inwards, all are turned round.
-void turn_outwards(std::vector<Shell>& shells) {
-  const auto largest = std::max_element(shells.begin(), shells.end(), [](const Shell& a, const Shell& b) {
-    return std::abs(a.solid.volume) < std::abs(b.solid.volume);
+void subtract(Shell& body, Shell& cavity) {
+  if (cavity.solid.volume > 0) turn(cavity);
+  body.solid.volume += cavity.solid.volume;
+  body.solid.area += cavity.solid.area;
+  body.moment += cavity.moment;
+}
+
+// Turns all bodies outwards, and subtracts cavities from those that are around them: shells turned the other way round.
+// Returns which shells are cavities.
+std::vector<char> separate(std::vector<Shell>& shells, const Corners& corners) {
+  std::vector<std::size_t> closed;
+  for (std::size_t i = 0; i < shells.size(); ++i)
+    if (shells[i].solid.fault.empty() && shells[i].solid.volume != 0) closed.push_back(i);
+  std::stable_sort(closed.begin(), closed.end(), [&](std::size_t a, std::size_t b) {
+    return std::abs(shells[a].solid.volume) > std::abs(shells[b].solid.volume);
   });
-  if (largest == shells.end() || largest->solid.volume >= 0) return;
-  for (Shell& shell : shells) turn(shell);
+  std::vector<char> is_cavity(shells.size(), 0);
+  std::array<std::vector<std::size_t>, 2> bodies;  // turned outwards, and inwards, the largest first
+  for (const std::size_t i : closed) {
+    Shell& shell = shells[i];
+    const bool is_inwards = shell.solid.volume < 0;
+    const std::vector<std::size_t>& others = bodies[is_inwards ? 0 : 1];
+    const auto around = std::find_if(others.rbegin(), others.rend(),
+                                     [&](std::size_t other) { return is_enclosed(shell, shells[other], corners); });
+    if (around != others.rend()) {
+      subtract(shells[*around], shell);
+      is_cavity[i] = 1;
+      continue;
+    }
+    bodies[is_inwards ? 1 : 0].push_back(i);
+    if (is_inwards) turn(shell);
+  }
+  const bool is_mirrored = glm::determinant(Mat3(corners.to_world)) < 0;
+  if (!bodies[0].empty() && !bodies[1].empty())
+    for (const std::size_t i : bodies[is_mirrored ? 0 : 1]) shells[i].solid.turned = true;
+  return is_cavity;
 }
 
 }  // namespace
@@ -123,25 +173,12 @@ std::vector<Solid> solids_of(const mesh::Mesh& mesh, const Mat4& to_world) {
   for (int t = 0; t < mesh.triangle_count(); ++t)
     for (const int v : mesh.triangle(t)) box.add(Vec3(to_world * Vec4(mesh.point(v), 1)));
   const Vec3 origin = box.empty() ? Vec3(0) : box.centre();
-  std::vector<Shell> shells = shells_of(mesh, to_world, origin);
-  turn_outwards(shells);
+  const Corners corners{mesh, to_world};
+  std::vector<Shell> shells = shells_of(corners, origin);
   const std::vector<EdgeFaults> faults = faults_of(mesh, shells.size());
+  for (std::size_t i = 0; i < shells.size(); ++i) shells[i].solid.fault = fault_text(faults[i]);
+  const std::vector<char> is_cavity = separate(shells, corners);
   std::vector<Solid> solids;
-  std::vector<char> is_cavity(shells.size(), 0);
-  for (std::size_t i = 0; i < shells.size(); ++i) {
-    Shell& shell = shells[i];
-    shell.solid.fault = fault_text(faults[i]);
-    if (!shell.solid.fault.empty() || !(shell.solid.volume < 0)) continue;
-    if (Shell* body = around(shells, shell)) {
-      body->solid.volume += shell.solid.volume;
-      body->solid.area += shell.solid.area;
-      body->moment += shell.moment;
-      is_cavity[i] = 1;
-    } else {
-      turn(shell);
-      shell.solid.turned = true;
-    }
-  }
   for (std::size_t i = 0; i < shells.size(); ++i) {
     if (is_cavity[i] != 0) continue;
     Solid& solid = solids.emplace_back(std::move(shells[i].solid));

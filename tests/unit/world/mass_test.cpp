@@ -84,6 +84,60 @@ TEST(Mass, OfABodyTurnedInsideOutIsThatOfTheBodyTurnedBack) {
   EXPECT_FALSE(found[0].turned);
 }
 
+Shape inside_out(Shape shape) {
+  for (auto& face : shape.faces) std::reverse(face.begin(), face.end());
+  return shape;
+}
+
+// A square ring around the z axis, and a pin in its hole, within the box of the ring.
+std::vector<world::Solid> ring_and_pin(bool turn_ring, bool turn_pin, double side, const std::string& steps) {
+  Shape ring;
+  for (const double z : {0.0, 4.0})
+    for (const double r : {10.0, 3.0})
+      for (const Vec2 at : {Vec2(-r, -r), Vec2(r, -r), Vec2(r, r), Vec2(-r, r)}) ring.points.push_back({at.x, at.y, z});
+  for (int i = 0; i < 4; ++i) {
+    const int j = (i + 1) % 4;
+    ring.faces.insert(
+        ring.faces.end(),
+        {{i, j, j + 8, i + 8}, {i + 4, i + 12, j + 12, j + 4}, {i + 8, j + 8, j + 12, i + 12}, {i, i + 4, j + 4, j}});
+  }
+  const Shape pin = box({-side, -side, 1}, {side, side, 3});
+  Shape both = turn_ring ? inside_out(ring) : ring;
+  both.add(turn_pin ? inside_out(pin) : pin);
+  return solids(both, steps);
+}
+
+// A shell in the hole of another one is no cavity of it, whichever of the two is turned inside out.
+TEST(Mass, OfABodyInAHoleIsItsOwn) {
+  for (const char* steps : {"scale:1", "scale:1,1,-1"})
+    for (const bool turn_ring : {false, true})
+      for (const bool turn_pin : {false, true}) {
+        const auto found = ring_and_pin(turn_ring, turn_pin, 2.5, steps);
+        ASSERT_EQ(found.size(), 2U) << steps << turn_ring << turn_pin;
+        EXPECT_NEAR(found[0].volume, 4 * (400 - 36), 1e-9);
+        EXPECT_NEAR(found[1].volume, 50, 1e-9);
+        EXPECT_EQ(found[0].turned, turn_ring && !turn_pin) << steps;
+        EXPECT_EQ(found[1].turned, turn_pin && !turn_ring) << steps;
+      }
+}
+
+TEST(Mass, OfABodyThatTouchesTheWallsOfAHoleIsItsOwn) {
+  const auto found = ring_and_pin(false, true, 3, "scale:1");
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_NEAR(found[1].volume, 72, 1e-9);
+}
+
+TEST(Mass, LeavesOutCavitiesOfWhatIsInsideOut) {
+  Shape all = inside_out(cube_with_a_cavity(true));
+  all.add(box({10, 0, 0}, {11, 1, 1}));
+  const auto found = solids(all);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_NEAR(found[0].volume, 26, 1e-12);
+  expect_at(found[0].centre, {1.5, 1.5, 1.5});
+  EXPECT_TRUE(found[0].turned);
+  EXPECT_FALSE(found[1].turned);
+}
+
 TEST(Mass, OfWhatIsNotClosedIsRefused) {
   Shape open = tetrahedron(1, 1, 1);
   open.faces.pop_back();
