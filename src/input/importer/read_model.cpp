@@ -83,13 +83,19 @@ const ImporterEntry* importer_by_content(const Catalogue& catalogue, const Sourc
   return nullptr;
 }
 
-// The first importer for the extension, otherwise the first one that recognises the content.
-const ImporterEntry* importer_for(const Catalogue& catalogue, const std::string& extension, const Source& source) {
+// The first one; null if there is none.
+const ImporterEntry* importer_by_extension(const Catalogue& catalogue, const std::string& extension) {
   for (const ImporterEntry& entry : catalogue.entries)
     if (std::find(entry.table.extensions.begin(), entry.table.extensions.end(), extension) !=
         entry.table.extensions.end())
       return &entry;
-  return importer_by_content(catalogue, source);
+  return nullptr;
+}
+
+// The first importer for the extension, otherwise the first one that recognises the content.
+const ImporterEntry* importer_for(const Catalogue& catalogue, const std::string& extension, const Source& source) {
+  const ImporterEntry* named = importer_by_extension(catalogue, extension);
+  return named != nullptr ? named : importer_by_content(catalogue, source);
 }
 
 // ".step, .stp, .glb"
@@ -255,16 +261,25 @@ ReadModel rounded(mesh::Mesh mesh, const Subdivision& subdivision, const Progres
   return {std::move(mesh)};
 }
 
-// A file that is no mesh, whatever its name says. Nothing if no importer recognises it.
+// A file of another format than its name says. Nothing if what it holds is not recognised.
 std::optional<ReadModel> read_misnamed(const Source& source, const ReadOptions& options, const Progress& progress) {
-  if (mesh::format_named(extension_of(source.name)) == nullptr) return std::nullopt;
+  const std::string extension = extension_of(source.name);
   const Catalogue catalogue = load_catalogue(importer_folders(options.plugin_path));
-  const ImporterEntry* importer = importer_by_content(catalogue, source);
-  if (importer == nullptr) return std::nullopt;
-  ReadModel model = read_by_importer(*importer, source, {}, options, progress);
-  model.mesh.report.notes.push_back("the file is named ." + extension_of(source.name) + ", but holds " +
-                                    importer->table.name);
-  return model;
+  const ImporterEntry* const named = importer_by_extension(catalogue, extension);
+  if (named == nullptr && mesh::format_named(extension) == nullptr) return std::nullopt;
+  const auto noted = [&](ReadModel model, std::string_view holds) {
+    model.mesh.report.notes.push_back("the file is named ." + extension + ", but holds " + std::string(holds));
+    return model;
+  };
+  if (const ImporterEntry* importer = importer_by_content(catalogue, source)) {
+    if (importer == named) return std::nullopt;
+    return noted(read_by_importer(*importer, source, {}, options, progress), importer->table.name);
+  }
+  if (named == nullptr) return std::nullopt;
+  const std::string bytes = read_file(source.path, progress);
+  const mesh::Format* const format = mesh::format_in(bytes);
+  if (format == nullptr) return std::nullopt;
+  return noted({mesh::make_mesh(format->read(bytes, source.name, progress), source.name, progress)}, format->name);
 }
 
 bool is_assignment(std::string_view part) {
@@ -297,15 +312,14 @@ ReadModel read_model(const fs::path& path, const foreign::Assignments& parameter
   if (path == standard_input)
     return read_model(read_file("/dev/stdin", progress), "standard input", parameters, options, progress);
   const Source source{path, path.string()};
-  std::string others;
-  if (std::optional<ReadModel> model = read_by_library(source, parameters, options, others, progress))
-    return *std::move(model);
-  const Subdivision subdivision = subdivision_of(path.string(), parameters);
   try {
-    return rounded(mesh::read_mesh(path, progress, others), subdivision, progress);
+    std::string others;
+    if (std::optional<ReadModel> model = read_by_library(source, parameters, options, others, progress))
+      return *std::move(model);
+    return rounded(mesh::read_mesh(path, progress, others), subdivision_of(path.string(), parameters), progress);
   } catch (const Error& error) {
     std::error_code unreadable;  // such as a name that is too long
-    if (error.kind() != ErrorKind::input || !fs::is_regular_file(path, unreadable)) throw;
+    if (error.kind() != ErrorKind::input || !parameters.empty() || !fs::is_regular_file(path, unreadable)) throw;
     if (std::optional<ReadModel> model = read_misnamed(source, options, progress)) return *std::move(model);
     throw;
   }

@@ -23,15 +23,17 @@ constexpr std::array<Format, 4> own_formats{{{"obj", "Wavefront OBJ: polygons, w
                                              {"ply", "PLY, text and binary: polygons", read_ply},
                                              {"off", "OFF: polygons", read_off}}};
 
-const Format* format_of_content(std::string_view bytes) {
+const Format* format_with_mark(std::string_view bytes) {
   const std::string_view first = TextCursor(bytes, "").word_of_any_line();
   if (first == "ply" && bytes.starts_with("ply")) return format_named("ply");
   if (!off_keyword(first).empty()) return format_named("off");
   return stl_kind(bytes) == StlKind::neither ? nullptr : format_named("stl");
 }
 
-// OBJ has no signature, but its files usually begin with one of these words.
+// OBJ has no mark, but its files are text and usually begin with one of these words.
 bool may_be_obj(std::string_view bytes) {
+  constexpr std::size_t beginning = 512;
+  if (bytes.substr(0, beginning).find('\0') != std::string_view::npos) return false;
   constexpr std::array<std::string_view, 10> words{"v", "vt", "vn", "o", "g", "f", "l", "s", "mtllib", "usemtl"};
   return std::find(words.begin(), words.end(), TextCursor(bytes, "").word_of_any_line()) != words.end();
 }
@@ -56,9 +58,10 @@ void refuse_packed(std::string_view bytes, const std::string& name) {
 
 const Format& format_of(std::string_view bytes, std::string_view extension, const std::string& name,
                         const std::string& others) {
-  if (const Format* format = format_of_content(bytes)) return *format;
-  if (const Format* format = format_named(extension)) return *format;
-  if (extension.empty() && may_be_obj(bytes)) return *format_named("obj");
+  if (const Format* format = format_with_mark(bytes)) return *format;
+  const Format* const named = format_named(extension);
+  if ((named != nullptr || extension.empty()) && may_be_obj(bytes)) return *format_named("obj");
+  if (named != nullptr) return *named;
   refuse_packed(bytes, name);
   std::string known;
   for (const Format& format : own_formats) known += (known.empty() ? "." : ", .") + std::string(format.name);
@@ -101,6 +104,11 @@ const Format* format_named(std::string_view name) {
   const auto found =
       std::find_if(own_formats.begin(), own_formats.end(), [&](const Format& format) { return format.name == name; });
   return found == own_formats.end() ? nullptr : &*found;
+}
+
+const Format* format_in(std::string_view bytes) {
+  if (const Format* format = format_with_mark(bytes)) return format;
+  return may_be_obj(bytes) ? format_named("obj") : nullptr;
 }
 
 Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress, std::optional<double> step) {

@@ -35,6 +35,9 @@ std::span<const Format> formats();
 /// Returns the format with a name; null if there is none.
 const Format* format_named(std::string_view name);
 
+/// Returns the format of a file by what it holds; null if that is none of these.
+const Format* format_in(std::string_view bytes);
+
 /// Builds a mesh from polygons in memory; `name` precedes the reason in errors. `step` as in build_mesh.
 Mesh make_mesh(Soup soup, const std::string& name, const Progress& progress = {}, std::optional<double> step = {});
 

@@ -76,6 +76,25 @@ TEST(ImporterProcess, IsChosenByContentWhereTheNameIsWrong) {
   }
 }
 
+TEST(ImporterProcess, IsNotUsedForAMeshThatIsNamedAsOneOfItsFiles) {
+  const Folder folder;
+  for (const char* extension : {"step", "iges", "brep", "3mf", "gltf", "glb"}) {
+    const std::string name = std::string("a.") + extension;
+    for (const auto& [format, text] :
+         {std::pair("obj", "# a\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"),
+          std::pair("stl",
+                    "solid\nfacet\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n")}) {
+      const mesh::MeshReport report = read_by_importer(folder.file(name, text)).mesh.report;
+      EXPECT_EQ(report.format, format) << name;
+      EXPECT_EQ(report.notes.back(), "the file is named ." + std::string(extension) + ", but holds " + format);
+    }
+  }
+  const std::string other = R"({"asset":{"version":"2.0"},"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],)"
+                            R"("nodes":[{"mesh":0}],"accessors":[{"componentType":5126,"count":3,"type":"VEC3"}]})";
+  EXPECT_TRUE(contains(refusal_of(folder.file("a.step", other)), "none of its faces can be drawn")) << "glTF";
+  EXPECT_TRUE(contains(refusal_of(folder.file("a.step", "a text")), "is not a STEP file"));
+}
+
 TEST(ImporterProcess, FormatsOfLibrariesAreListedForAnUnknownName) {
   const Folder folder;
   try {

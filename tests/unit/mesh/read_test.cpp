@@ -69,6 +69,19 @@ TEST(ReadMesh, ContentWinsOverTheExtension) {
   expect_triangle(mesh::read_mesh(folder.file("m.OBJ", triangle_obj)), "obj");
 }
 
+TEST(ReadMesh, ObjIsReadWhateverItsName) {
+  const Folder folder;
+  for (const char* name : {"m.stl", "m.ply", "m.off"}) {
+    const mesh::Mesh mesh = mesh::read_mesh(folder.file(name, "# a comment\n" + triangle_obj));
+    expect_triangle(mesh, "obj");
+    EXPECT_EQ(mesh.report.notes.size(), 1U) << name;
+  }
+  std::string cut = test::binary_stl({{{{{0, 0, 0}}, {{1.5, 0, 0}}, {{0, 1, 0}}}}}, "v of a binary file");
+  cut.pop_back();
+  EXPECT_NE(words_of_error([&] { mesh::read_mesh(folder.file("m.stl", cut)); }).find("the file ends at triangle"),
+            std::string::npos);
+}
+
 TEST(ReadMesh, FormsThatAreSoundThoughUnusual) {
   const Folder folder;
   const std::string one_line = "OFF3 1 0" + triangle_off.substr(triangle_off.find("\n0 0 0"));
