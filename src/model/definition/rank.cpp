@@ -141,25 +141,45 @@ std::vector<Group> groups_of(std::span<const Row> rows) {
   return groups;
 }
 
+/// Where a column is largest, of equal places in the first row.
+struct Pivot {
+  double size = 0;
+  Eigen::Index row = 0;
+};
+
+Pivot pivot_of(const Matrix& columns, Eigen::Index column, const std::vector<bool>& is_done) {
+  Pivot best;
+  for (Eigen::Index i = 0; i < columns.rows(); ++i)
+    // Whatever the last digits are.
+    if (const double size = std::abs(columns(i, column));
+        !is_done[static_cast<std::size_t>(i)] && size > best.size * (1 + surely_zero))
+      best = {size, i};
+  return best;
+}
+
 // Columns that span the same space, each with a row in which it alone is 1: Gauss and Jordan, with largest pivots.
 Matrix echelon(Matrix columns) {
   std::vector<bool> is_done(static_cast<std::size_t>(columns.rows()), false);
+  std::vector<Pivot> pivots;
+  for (Eigen::Index j = 0; j < columns.cols(); ++j) pivots.push_back(pivot_of(columns, j, is_done));
   for (Eigen::Index k = 0; k < columns.cols(); ++k) {
-    Eigen::Index row = 0, column = k;
+    const auto first = pivots.begin() + k;
     double largest = 0;
-    for (Eigen::Index i = 0; i < columns.rows(); ++i)
-      for (Eigen::Index j = k; j < columns.cols() && !is_done[static_cast<std::size_t>(i)]; ++j)
-        // Of equal ones the first, whatever the last digits are.
-        if (std::abs(columns(i, j)) > largest * (1 + surely_zero)) {
-          largest = std::abs(columns(i, j));
-          row = i;
-          column = j;
-        }
-    columns.col(k).swap(columns.col(column));
+    for (auto one = first; one != pivots.end(); ++one) largest = std::max(largest, one->size);
+    auto best = pivots.end();
+    for (auto one = first; one != pivots.end(); ++one)
+      if (one->size * (1 + surely_zero) >= largest && (best == pivots.end() || one->row < best->row)) best = one;
+    check(best != pivots.end() && best->size > 0, "columns are independent");
+    columns.col(k).swap(columns.col(best - pivots.begin()));
+    std::iter_swap(first, best);
+    const Eigen::Index row = first->row;
     columns.col(k) /= columns(row, k);
     is_done[static_cast<std::size_t>(row)] = true;
-    for (Eigen::Index j = 0; j < columns.cols(); ++j)
-      if (j != k) columns.col(j) -= (columns(row, j) * columns.col(k)).eval();
+    for (Eigen::Index j = 0; j < columns.cols(); ++j) {
+      if (j == k || columns(row, j) == 0) continue;
+      columns.col(j) -= (columns(row, j) * columns.col(k)).eval();
+      if (j > k) pivots[static_cast<std::size_t>(j)] = pivot_of(columns, j, is_done);
+    }
   }
   return columns;
 }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <set>
+#include <tuple>
 #include <utility>
 
 #include "base/error.hpp"
@@ -25,16 +27,33 @@ using definition::UnknownKind;
 using surfaces::PartSurface;
 using surfaces::SurfaceKind;
 
-// Within the reach of a border.
-bool is_near(const definition::Contact& contact, const Vec3& point, double size) {
-  Box box;
-  for (const Vec3& one : contact.points) box.add(one);
-  const Vec3 slack(definition::good_base * size);
-  return glm::all(glm::greaterThanEqual(point, box.min - slack)) &&
-         glm::all(glm::lessThanEqual(point, box.max + slack));
+// Within the reach of borders.
+std::vector<Box> reaches_of(const definition::Part& part) {
+  const Vec3 slack(definition::good_base * part.size);
+  std::vector<Box> reaches;
+  for (const definition::Contact& contact : part.contacts) {
+    Box& box = reaches.emplace_back();
+    for (const Vec3& one : contact.points) box.add(one);
+    box.min -= slack;
+    box.max += slack;
+  }
+  return reaches;
+}
+
+bool is_within(const Box& box, const Vec3& point) {
+  return glm::all(glm::greaterThanEqual(point, box.min)) && glm::all(glm::lessThanEqual(point, box.max));
 }
 
 }  // namespace
+
+MeasuredFaces::MeasuredFaces(const DrawnPart& drawn, const definition::Directions& directions,
+                             const definition::Unknowns& unknowns, const Notation& notation)
+    : part_(drawn.part),
+      directions_(directions),
+      unknowns_(unknowns),
+      notation_(notation),
+      reaches_(reaches_of(drawn.part)),
+      slack_(slack_of(drawn.part)) {}
 
 int MeasuredFaces::face_along(const Vec3& along) const {
   for (std::size_t i = 0; i < directions_.directions.size(); ++i)
@@ -80,22 +99,25 @@ std::optional<End> MeasuredFaces::corner_at(const Vec3& point) const {
   const auto add = [&end](int face) {
     if (std::find(end.faces.begin(), end.faces.end(), face) == end.faces.end()) end.faces.push_back(face);
   };
-  for (const definition::Contact& contact : part_.contacts)
-    for (const int face : contact.faces)
-      if (const PartSurface& one = surface(face); one.kind != SurfaceKind::free_form &&
-                                                  std::abs(surfaces::signed_distance(one, point)) <= slack_ &&
-                                                  is_near(contact, point, part_.size))
+  for (std::size_t i = 0; i < part_.contacts.size(); ++i) {
+    if (!is_within(reaches_[i], point)) continue;
+    for (const int face : part_.contacts[i].faces)
+      if (const PartSurface& one = surface(face);
+          one.kind != SurfaceKind::free_form && std::abs(surfaces::signed_distance(one, point)) <= slack_)
         add(face);
+  }
   if (end.faces.empty()) return std::nullopt;
   return end;
 }
 
-// Edges whose place along a direction this is.
+// Edges whose place along a direction this is, each corner once.
 std::vector<End> MeasuredFaces::edges_at(const Vec3& point, const Vec3& along) const {
   std::vector<End> ends;
+  const auto before = [](const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); };
+  std::set<Vec3, decltype(before)> done(before);
   for (const definition::Contact& contact : part_.contacts)
     for (const Vec3& one : contact.points)
-      if (std::abs(glm::dot(one - point, along)) <= slack_)
+      if (std::abs(glm::dot(one - point, along)) <= slack_ && done.insert(one).second)
         if (std::optional<End> end = corner_at(one);
             end && !definition::end_motion(unknowns_, part_, *end, along).empty())
           ends.push_back(std::move(*end));
@@ -122,8 +144,12 @@ std::vector<Row> MeasuredFaces::lengths(const Vec3& from, const Vec3& to, const 
     const SurfaceKind kind = surface(end.faces.front()).kind;
     return end.is_axis && (kind == SurfaceKind::cylinder || kind == SurfaceKind::cone);
   };
-  for (const End& first : ends[0])
-    for (End second : ends[1]) {
+  for (std::size_t i = 0; i < ends[0].size(); ++i) {
+    const End& first = ends[0][i];
+    // Along a direction of faces, all others are sums of those of the first two ends.
+    const std::size_t count = direction >= 0 && i > 0 ? 1 : ends[1].size();
+    for (std::size_t j = 0; j < count; ++j) {
+      End second = ends[1][j];
       Vec3 off = second.at - first.at;
       // From one axis to another, wherever along them.
       if (direction < 0 && is_line(first) && is_line(second)) {
@@ -139,6 +165,7 @@ std::vector<Row> MeasuredFaces::lengths(const Vec3& from, const Vec3& to, const 
       if (Row row = definition::length(unknowns_, part_, {first, second}, along, turning); !row.empty())
         rows.push_back(std::move(row));
     }
+  }
   check(rows.size() <= ends[0].size() * ends[1].size(), "a length is between two ends");
   return rows;
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 #include "definition/statements.hpp"
 #include "sheet/notation.hpp"
@@ -15,12 +16,7 @@ namespace epura::sheet {
 class MeasuredFaces {
  public:
   MeasuredFaces(const DrawnPart& drawn, const definition::Directions& directions, const definition::Unknowns& unknowns,
-                const Notation& notation)
-      : part_(drawn.part),
-        directions_(directions),
-        unknowns_(unknowns),
-        notation_(notation),
-        slack_(slack_of(drawn.part)) {}
+                const Notation& notation);
 
   /// The length along a direction between two places: of corners, otherwise of planes, axes and centres that are at the
   /// same place along it, of sides of round faces and of edges. Nothing if faces hold none of these.
@@ -57,6 +53,7 @@ class MeasuredFaces {
   const definition::Directions& directions_;
   const definition::Unknowns& unknowns_;
   const Notation& notation_;
+  std::vector<Box> reaches_;  // of each contact
   double slack_;
 };
 
