@@ -38,12 +38,12 @@ bool are_opposite(const AxialFace& a, const AxialFace& b, double slack) {
   return a.is_high != b.is_high && std::abs(a.at - b.at) > slack && are_one_behind_the_other(a, b, slack);
 }
 
-// The level on which a face is, or the number of levels.
-std::size_t level_of(const std::vector<LevelFeature>& levels, const AxialFace& face, double slack) {
+// The level at a place along an axis, or the number of levels.
+std::size_t level_of(const std::vector<LevelFeature>& levels, int axis, double at, double slack) {
   const auto level = std::lower_bound(
-      levels.begin(), levels.end(), std::pair(face.axis, face.at - slack),
+      levels.begin(), levels.end(), std::pair(axis, at - slack),
       [](const LevelFeature& one, const std::pair<int, double>& least) { return std::pair(one.axis, one.at) < least; });
-  const bool is_on_it = level != levels.end() && level->axis == face.axis && level->at <= face.at + slack;
+  const bool is_on_it = level != levels.end() && level->axis == axis && level->at <= at + slack;
   return is_on_it ? static_cast<std::size_t>(level - levels.begin()) : levels.size();
 }
 
@@ -58,10 +58,43 @@ std::vector<Side> sides_on_levels(const std::vector<LevelFeature>& levels, std::
                                   double slack) {
   std::vector<Side> sides;
   for (const AxialFace& face : faces)
-    if (const std::size_t level = level_of(levels, face, slack); level < levels.size()) sides.push_back({&face, level});
+    if (const std::size_t level = level_of(levels, face.axis, face.at, slack); level < levels.size())
+      sides.push_back({&face, level});
   std::stable_sort(sides.begin(), sides.end(),
                    [](const Side& a, const Side& b) { return family_of(*a.face) < family_of(*b.face); });
   return sides;
+}
+
+// Whether a face around the axis of a cylinder is at one of its ends, and looks along the axis of the world or against
+// it.
+bool has_shoulder(const std::vector<Side>& sides, std::size_t level, const CylinderFeature& cylinder, bool is_high) {
+  const auto is_around = [&](const AxialFace& face) {
+    for (int across = 0; across < 3; ++across)
+      if (across != face.axis &&
+          (cylinder.from[across] < face.box.min[across] || cylinder.from[across] > face.box.max[across]))
+        return false;
+    return true;
+  };
+  return std::any_of(sides.begin(), sides.end(), [&](const Side& side) {
+    return side.level == level && side.face->is_high == is_high && side.face->model == cylinder.model &&
+           is_around(*side.face);
+  });
+}
+
+// Shoulders that look at each other over a cylinder that both end.
+std::vector<SidePair> sides_of_necks(const std::vector<LevelFeature>& levels, const std::vector<Side>& sides,
+                                     std::span<const CylinderFeature> cylinders, double slack) {
+  std::vector<SidePair> pairs;
+  for (const CylinderFeature& cylinder : cylinders) {
+    const int axis = axis_along(cylinder.axis);
+    if (axis < 0) continue;
+    const auto [from, to] = std::minmax({cylinder.from[axis], cylinder.to[axis]});
+    const std::size_t low = level_of(levels, axis, from, slack), high = level_of(levels, axis, to, slack);
+    if (low < high && high < levels.size() && has_shoulder(sides, low, cylinder, true) &&
+        has_shoulder(sides, high, cylinder, false))
+      pairs.push_back({levels[high].at - levels[low].at, low, high});
+  }
+  return pairs;
 }
 
 }  // namespace
@@ -79,9 +112,9 @@ std::vector<AxialFace> find_axial_faces(int model, std::span<const PlaneFace> fa
 }
 
 std::vector<LevelFeature> with_opposite_sides(std::vector<LevelFeature> levels, std::span<const AxialFace> faces,
-                                              double slack) {
+                                              std::span<const CylinderFeature> cylinders, double slack) {
   const std::vector<Side> sides = sides_on_levels(levels, faces, slack);
-  std::vector<SidePair> pairs;
+  std::vector<SidePair> pairs = sides_of_necks(levels, sides, cylinders, slack);
   for (auto one = sides.begin(); one != sides.end(); ++one)
     for (auto other = one + 1; other != sides.end() && family_of(*other->face) == family_of(*one->face); ++other)
       if (are_opposite(*one->face, *other->face, slack)) {

@@ -23,8 +23,9 @@ std::vector<AxialFace> find_axial_faces(int model, std::span<const PlaneFace> fa
 
 /// Gives each level, sorted by axis and place, of those that are one side of a groove or rib, the place of the other
 /// side. The two sides look at each other, or away from each other, and are one behind the other: alike along one axis
-/// across, and with one end in common along the other. Narrow ones go first, and a place is the side of one of them.
+/// across, and with one end in common along the other; or both end a cylinder, the neck of a shaft. Narrow ones go
+/// first, and a place is the side of one of them.
 std::vector<LevelFeature> with_opposite_sides(std::vector<LevelFeature> levels, std::span<const AxialFace> faces,
-                                              double slack);
+                                              std::span<const CylinderFeature> cylinders, double slack);
 
 }  // namespace epura::features

@@ -393,7 +393,7 @@ PartFeatures find_part_features(const world::World& world, const Progress& progr
   found.levels = with_other_sides(std::move(found.levels), found);
   found.of_assembly = is_assembly(world);
   // The levels of an assembly are the ends of its parts.
-  if (!found.of_assembly) found.levels = with_opposite_sides(std::move(found.levels), axial, slack);
+  if (!found.of_assembly) found.levels = with_opposite_sides(std::move(found.levels), axial, found.cylinders, slack);
   return found;
 }
 

@@ -72,6 +72,18 @@ TEST(FlatsFeature, AreMeasuredFromTheOtherSideOfTheirShaft) {
   expect({{6, false, 5}, {5, true, 12}, {6, false, 20}}, -5, "not from a thicker part beside it");
 }
 
+// Between a collar and a thinner part, as in an undercut, or between equal ones.
+TEST(LevelsFeature, AreTheSidesOfANeck) {
+  for (const double radius : {13.0, 21.0}) {
+    const world::World world =
+        world_of(revolved({{0, 0}, {21, 0}, {21, 32}, {11, 32}, {11, 35}, {radius, 35}, {radius, 71}, {0, 71}}, 48));
+    for (const features::LevelFeature& level : features::find_part_features(world).levels) {
+      ASSERT_TRUE(level.partner) << level.at;
+      EXPECT_NEAR(*level.partner, 67 - level.at, 1e-9) << level.at;
+    }
+  }
+}
+
 // A shaft of radius 8 with a chamfer of 1 at its end, of which a keyway takes 60 degrees.
 TEST(ConeFeatures, MayBeInterrupted) {
   for (const double sweep : {2 * pi, 5 * pi / 3}) {
