@@ -41,9 +41,7 @@ class HoleReader {
     const auto [closed_low, closed_high] = closed_ends(hole);
     const bool shut_low = closed_low || is_closed(first, body, low) || ends_in_tip(pieces.front().wide_begin, pieces);
     const bool shut_high = closed_high || is_closed(first, body, high) || ends_in_tip(radius_at_end(pieces), pieces);
-    // The mouth of a hole that is open at both ends is the wider one.
-    const bool mouth_is_low =
-        shut_high || (!shut_low && pieces.front().wide_begin > radius_at_end(pieces) * (1 + same_size));
+    const bool mouth_is_low = shut_high || (!shut_low && is_rather_low(pieces, first, body));
     if (!mouth_is_low) {
       for (Piece& piece : pieces) piece = piece.reversed();
       std::reverse(pieces.begin(), pieces.end());
@@ -96,6 +94,19 @@ class HoleReader {
     const auto last =
         std::max_element(pieces.begin(), pieces.end(), [](const Piece& a, const Piece& b) { return a.end < b.end; });
     return last->wide_end;
+  }
+  // Whether the lower one of two open ends is the mouth: the wider one, or the one that a face square to the axis ends.
+  [[nodiscard]] bool is_rather_low(const std::vector<Piece>& pieces, const surfaces::PartSurface& first,
+                                   int body) const {
+    const double low = pieces.front().wide_begin, high = radius_at_end(pieces);
+    if (!are_same(low, high)) return low > high;
+    const auto is_square = [&](double height) {
+      const double at = glm::dot(first.origin, first.axis) + height;
+      return std::any_of(part_.faces.begin(), part_.faces.end(), [&](const surfaces::PartFace& face) {
+        return face.body == body && is_plane_at(face.surface, first.axis, at);
+      });
+    };
+    return is_square(pieces.front().begin) && !is_square(end_of(pieces));
   }
   static bool ends_in_tip(double radius, const std::vector<Piece>& pieces) {
     double largest = 0;

@@ -43,13 +43,31 @@ bool is_removed(const NamedProjection& view, const Vec3& centre, const Vec3& axi
   return !view.aligned() && std::abs(glm::dot(view.projection.n, axis)) <= parallel && !keeps(view, centre);
 }
 
-// The plane face on which a feature begins.
-const features::PlaneFeature* face_around(const Planning& plan, const Vec3& centre, const Vec3& axis) {
+/// Where the axis of a feature meets a plane face that is square to it.
+struct Foot {
+  const features::PlaneFeature* face;
+  Vec3 at;
+};
+
+// Among the corners of a face.
+bool is_within(const Vec3& p, const features::PlaneFeature& face, double slack) {
+  Box box;
+  for (const Vec3& corner : face.corners) box.add(corner);
+  return glm::all(glm::lessThanEqual(box.min, p + slack)) && glm::all(glm::greaterThanEqual(box.max, p - slack));
+}
+
+// The nearest one: features may be cut off before it, as a bore is by another face.
+std::optional<Foot> foot_of(const Planning& plan, const Vec3& centre, const Vec3& axis) {
   const double slack = features::same_size * glm::length(plan.box.size());
-  for (const features::PlaneFeature& plane : plan.subject.features.inclined)
-    if (are_parallel(plane.normal, axis) && std::abs(glm::dot(plane.corners.front() - centre, axis)) <= slack)
-      return &plane;
-  return nullptr;
+  std::optional<Foot> nearest;
+  for (const features::PlaneFeature& plane : plan.subject.features.inclined) {
+    if (!are_parallel(plane.normal, axis)) continue;
+    const Vec3 foot = centre + glm::dot(plane.corners.front() - centre, axis) * axis;
+    if (is_within(foot, plane, slack) &&
+        (!nearest || glm::distance(foot, centre) < glm::distance(nearest->at, centre) - slack))
+      nearest = {&plane, foot};
+  }
+  return nearest;
 }
 
 /// A place of a row along a slope.
@@ -126,15 +144,15 @@ Planned positions_of(const Planning& plan, std::span<const Vec3> centres, const 
   const NamedProjection* view = plan.views.along(axis);
   if (view == nullptr && slanted) view = plan.views.beside(*slanted, centres.front());
   for (const Vec3& centre : centres) {
-    const features::PlaneFeature* face = slanted && view != nullptr ? face_around(plan, centre, axis) : nullptr;
-    if (face == nullptr) {
+    const std::optional<Foot> foot = slanted && view != nullptr ? foot_of(plan, centre, axis) : std::nullopt;
+    if (!foot) {
       if (group >= 0 && std::cmp_less(group, plan.table.sizes.size()))
         ++planned.omitted.askew[plan.table.sizes[static_cast<std::size_t>(group)].name];
       continue;
     }
     // One direction for all that begins on a face.
-    const Vec3 direction = glm::dot(face->normal, axis) < 0 ? -*slanted : *slanted;
-    planned.places.emplace_back(SlantedPlace{view, face, direction, centre, group});
+    const Vec3 direction = glm::dot(foot->face->normal, axis) < 0 ? -*slanted : *slanted;
+    planned.places.emplace_back(SlantedPlace{view, foot->face, direction, foot->at, group});
   }
   return planned;
 }

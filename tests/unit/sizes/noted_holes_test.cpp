@@ -24,27 +24,53 @@ struct Ring {
 
 constexpr double thickness = 10;
 
-// A plate of 60 x 40 with a hole about (25, 18), from its top down; one that is not through ends in a point.
-std::string plate_with(const std::vector<Ring>& rings, bool is_through) {
-  const Vec2 centre(25, 18);
+const Vec2 hole_at(25, 18);
+
+// A plate of 60 x 40 above a height, with a hole from its top down; one that is not through ends in a point.
+void add_plate(Model& model, double floor, const std::vector<Ring>& rings, bool is_through) {
   const Loop border = square({0, 0}, {60, 40});
   std::vector<Loop> holes;
-  for (const Ring& ring : rings) holes.push_back(circle(centre, ring.radius, -135));
+  for (const Ring& ring : rings) holes.push_back(circle(hole_at, ring.radius, -135));
+  const Vec3 up(0, 0, floor);
   const auto at = [&](std::size_t ring, std::size_t p) {
-    return ring == rings.size() ? Vec3(centre, 3) : Vec3(holes[ring][p], rings[ring].z);
+    return up + (ring == rings.size() ? Vec3(hole_at, 3) : Vec3(holes[ring][p], rings[ring].z));
   };
-  Model model;
+  const auto side = [&](std::size_t p, double z) { return up + Vec3(border[p], z); };
   std::vector<Vec3> bottom;
   for (std::size_t p = 0; p < border.size(); ++p) {
     const std::size_t q = (p + 1) % border.size(), last = rings.size() - 1;
-    model.face({Vec3(border[p], thickness), Vec3(border[q], thickness), at(0, q), at(0, p)});
+    model.face({side(p, thickness), side(q, thickness), at(0, q), at(0, p)});
     for (std::size_t ring = 0; ring + 1 < rings.size() + (is_through ? 0 : 1); ++ring)
       model.face({at(ring, p), at(ring, q), at(ring + 1, q), at(ring + 1, p)});
-    model.face({Vec3(border[q], thickness), Vec3(border[p], thickness), Vec3(border[p], 0), Vec3(border[q], 0)});
-    if (is_through) model.face({at(last, p), at(last, q), Vec3(border[q], 0), Vec3(border[p], 0)});
-    bottom.insert(bottom.begin(), Vec3(border[p], 0));
+    model.face({side(q, thickness), side(p, thickness), side(p, 0), side(q, 0)});
+    if (is_through) model.face({at(last, p), at(last, q), side(q, 0), side(p, 0)});
+    bottom.insert(bottom.begin(), side(p, 0));
   }
   if (!is_through) model.face(bottom);
+}
+
+std::string plate_with(const std::vector<Ring>& rings, bool is_through) {
+  Model model;
+  add_plate(model, 0, rings, is_through);
+  return model.obj();
+}
+
+// A block of 60 along its slope, which rises by 20 degrees, with a hole square to it that leaves the level floor.
+std::string wedge_with_hole() {
+  const double c = std::cos(20 / 180.0 * std::numbers::pi), s = std::sin(20 / 180.0 * std::numbers::pi);
+  const Loop border = square({0, 0}, {60, 40}), round = circle(hole_at, 3, -135);
+  const auto in_world = [&](const Vec2& p, const Vec3& down) { return Vec3(p.x * c, p.y, 10 + p.x * s) + down; };
+  const auto high = [&](const Vec2& p) { return in_world(p, Vec3(0)); };
+  const auto low = [&](const Vec2& p) { return in_world(p, Vec3(0, 0, -10 - p.x * s)); };
+  const auto out = [&](const Vec2& p) { return in_world(p, (10 + p.x * s) / c * Vec3(s, 0, -c)); };
+  Model model;
+  for (std::size_t p = 0; p < border.size(); ++p) {
+    const std::size_t q = (p + 1) % border.size();
+    model.face({high(border[p]), high(border[q]), high(round[q]), high(round[p])});
+    model.face({high(round[p]), high(round[q]), out(round[q]), out(round[p])});
+    model.face({high(border[q]), high(border[p]), low(border[p]), low(border[q])});
+    model.face({out(round[p]), out(round[q]), low(border[q]), low(border[p])});
+  }
   return model.obj();
 }
 
@@ -77,6 +103,9 @@ TEST(NotedHoles, OfDrillPointsAreHeldByTheirDepth) {
   const DimensionedPart part(plate_with({{3, 10}, {3, 3 + point}}, false));
   EXPECT_EQ(faults_of(part), "");
 }
+
+// Along the slope on which it begins, wherever it ends.
+TEST(NotedHoles, ThroughASlopeHaveAPlaceOnIt) { EXPECT_EQ(faults_of(DimensionedPart(wedge_with_hole())), ""); }
 
 // With the decimals of the file that states them.
 TEST(NotedHoles, StatedValuesAreNamedAsTheyAreWritten) {
