@@ -108,7 +108,7 @@ struct TableGroup {
   Planned labels{};
 };
 
-// Numbered from left to right, then upwards.
+// Numbered from left to right, then upwards; those on one axis are one row.
 TableGroup rows_of(const Planning& plan, HoleGroup group, const NamedProjection& view, const Vec3& origin,
                    const std::string& letters) {
   const Vec3 u = view.projection.u, v = view.projection.v;
@@ -121,13 +121,17 @@ TableGroup rows_of(const Planning& plan, HoleGroup group, const NamedProjection&
     const auto [bx, by] = place(b);
     return std::pair(std::round(ax / same), ay) < std::pair(std::round(bx / same), by);
   });
+  const auto is_behind = [&](const HoleFeature* a, const HoleFeature* b) {
+    return std::abs(place(a).first - place(b).first) <= same && std::abs(place(a).second - place(b).second) <= same;
+  };
   TableGroup found;
-  for (std::size_t i = 0; i < group.size(); ++i) {
+  for (std::size_t i = 0, next = 0; i < group.size(); i = next) {
     const HoleFeature& hole = *group[i];
     check(hole.called() > 0, "a hole has a diameter");
+    while (next < group.size() && is_behind(group[next], &hole)) ++next;
     const auto [x, y] = place(&hole);
-    const std::string label = letters + std::to_string(i + 1);
-    const std::string size = size_in_words(hole.thread, hole.diameter, plan.notation);
+    const std::string label = letters + std::to_string(found.rows.size() + 1);
+    const std::string size = times(next - i) + size_in_words(hole.thread, hole.diameter, plan.notation);
     found.rows.push_back({label, plan.length(x), plan.length(y), size + recesses_of(hole, plan.notation)});
     found.labels.dimensions.push_back(
         plan.dimension(DimensionType::diameter, view, label, {hole.mouth, hole.axis, hole.called() / 2, {}}));

@@ -74,6 +74,17 @@ std::string wedge_with_hole() {
   return model.obj();
 }
 
+// What automatic dimensions of a part are, with `holes`, in views of which the first may be a section.
+sheet::AutomaticPlan plan_of(const world::World& world, HoleDimensions holes,
+                             const std::vector<sheet::NamedProjection>& views) {
+  features::PartFeatures features = features::features_to_dimension(world);
+  features.of_assembly = false;
+  scene::DimensionDescription wanted;
+  wanted.type = {DimensionType::automatic, ""};
+  wanted.holes = {holes, ""};
+  return sheet::automatic_dimensions(wanted, views, {world, features, features::true_extents(world)}, {}, std::nullopt);
+}
+
 // Of lint and of define, one word for each fault.
 std::string faults_of(const DimensionedPart& part) {
   const sheet::FreeFaces free = part.free();
@@ -106,6 +117,17 @@ TEST(NotedHoles, OfDrillPointsAreHeldByTheirDepth) {
 
 // Along the slope on which it begins, wherever it ends.
 TEST(NotedHoles, ThroughASlopeHaveAPlaceOnIt) { EXPECT_EQ(faults_of(DimensionedPart(wedge_with_hole())), ""); }
+
+// Two plates behind each other, with a hole through both.
+TEST(NotedHoles, OnOneAxisAreOneRowOfATable) {
+  Model model;
+  for (const double floor : {0.0, 30.0}) add_plate(model, floor, {{3, thickness}, {3, 0}}, true);
+  const sheet::AutomaticPlan plan = plan_of(world_of(model.obj()), HoleDimensions::table, three_views());
+  ASSERT_EQ(plan.tables.size(), 1U);
+  ASSERT_EQ(plan.tables[0].rows.size(), 1U);
+  EXPECT_EQ(plan.tables[0].rows[0].label, "A1");
+  EXPECT_EQ(plan.tables[0].rows[0].size, "2× ⌀6");
+}
 
 // With the decimals of the file that states them.
 TEST(NotedHoles, StatedValuesAreNamedAsTheyAreWritten) {
