@@ -32,9 +32,11 @@ const NamedProjection* view_along(const Planning& plan, int world, const Vec3& a
   if (along != nullptr && shows_length_along(*along, direction)) return along;
   const NamedProjection* best = nullptr;
   const auto facing = [&](const NamedProjection* view) { return std::abs(glm::dot(view->projection.n, axis)); };
-  for (const NamedProjection* view : plan.views.all())
+  for (const NamedProjection* view : plan.views.all()) {
+    if (along == nullptr && are_parallel(view->projection.n, axis)) continue;  // a section has removed it there
     if (shows_length_along(*view, direction) && (best == nullptr || facing(view) > facing(best) + parallel))
       best = view;
+  }
   return best;
 }
 

@@ -149,6 +149,13 @@ std::pair<const NamedProjection*, const HoleFeature*> view_of_radial(const Plann
   return {view_beside<HoleFeature>(plan.views, holes, mouth_of), holes.front()};
 }
 
+// Whether a section has left nothing of any hole.
+bool is_removed(const HoleGroup& group, const NamedProjection& view) {
+  return std::none_of(group.begin(), group.end(), [&](const HoleFeature* hole) {
+    return keeps(view, hole->mouth) || keeps(view, hole->mouth - hole->reach * hole->axis);
+  });
+}
+
 }  // namespace
 
 Planned radial_hole_dimensions(const Planning& plan) {
@@ -176,6 +183,7 @@ Planned hole_dimensions(const Planning& plan) {
   std::size_t labelled = 0;
   for (const HoleGroup& group : groups_of_holes(plan)) {
     const NamedProjection* along = plan.views.along(group.front()->axis, !group.front()->through);
+    if (along != nullptr && is_removed(group, *along)) along = nullptr;
     const NamedProjection* view = along != nullptr ? along : view_beside<HoleFeature>(plan.views, group, mouth_of);
     if (view == nullptr) {
       planned.omitted.askew[size_of(plan, group.front()).name] += group.size();

@@ -129,6 +129,25 @@ TEST(NotedHoles, OnOneAxisAreOneRowOfATable) {
   EXPECT_EQ(plan.tables[0].rows[0].size, "2× ⌀6");
 }
 
+// A blind hole in the top, which the view from above lacks: its size and its place are elsewhere.
+TEST(NotedHoles, ThatASectionHasRemovedAreNotedElsewhere) {
+  const world::World world = world_of(plate_with({{3, 10}, {3, 6}}, false));
+  std::vector<sheet::NamedProjection> views = three_views();
+  const cut::CuttingSurface section =
+      cut::plane_surface({Vec3(0, 0, 2), Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0, 1, 0), "A", ""});
+  for (const bool is_cut : {false, true}) {
+    views[1].section = is_cut ? &section : nullptr;
+    std::vector<std::string> noted;
+    int placed = 0;
+    for (const scene::DimensionDescription& one : plan_of(world, HoleDimensions::notes, views).dimensions) {
+      if (*one.type == DimensionType::diameter) noted.push_back(*one.view);
+      if (*one.type == DimensionType::linear && *one.view == "top") ++placed;
+    }
+    EXPECT_EQ(noted, std::vector<std::string>{is_cut ? "front" : "top"});
+    EXPECT_EQ(placed, is_cut ? 0 : 2) << "along x and y";
+  }
+}
+
 // With the decimals of the file that states them.
 TEST(NotedHoles, StatedValuesAreNamedAsTheyAreWritten) {
   const sheet::DimensionsInView view{three_views()[0].name, three_views()[0].projection, {}};
