@@ -105,7 +105,7 @@ inline std::vector<KnownPart> slopes_of_plain_angles() {
          block(
              {{0, 0}, {w, 0}, {w, h}, {60, h}, {60 + 8 * tangent, h - 8}, {top - 8 * tangent, h - 8}, {top, h}, {0, h}},
              12),
-         {number(w), "40", "12", number(top), "60", "32", number(90 - turn) + "°", number(90 - turn) + "°"}});
+         {number(w), "40", "12", number(top), "60", "32", "2× " + number(90 - turn) + "°"}});
     parts.push_back({"a wedge of " + degrees,
                      block({{0, 0}, {w, 0}, {w, 10}, {0, 10 + w * tangent}}, 12),
                      {number(w), "(" + number(10 + w * tangent) + ")", "12", "10", number(90 - turn) + "°"}});

@@ -321,7 +321,7 @@ class Reader {
     }
   }
 
-  // Between directions of faces; of cones.
+  // Between directions of faces, of which those along the axes of the world are square to each other; of cones.
   [[nodiscard]] std::vector<Candidate> equal_angles(double angle) const {
     const auto is_it = [&](double one) { return std::abs(one - angle) <= size_agrees; };
     std::vector<Candidate> found;
@@ -333,7 +333,11 @@ class Reader {
         const Vec3 about = glm::normalize(glm::cross(a, b));
         Row row = unknowns_.turn(directions_.first_face[i], about);
         definition::add(row, unknowns_.turn(directions_.first_face[j], about), -1);
-        found.push_back({std::move(row), directions_.first_face[i], directions_.first_face[j]});
+        const auto body = [&](std::size_t k) {
+          return features::axis_along(directions_.directions[k]) >= 0 ? -1 : directions_.first_face[k];
+        };
+        if (body(i) != body(j))
+          found.push_back({std::move(row), std::max(body(i), body(j)), std::min(body(i), body(j))});
       }
     for (int face = 0; face < all_faces(); ++face) {
       const double half = std::atan(std::abs(surface(face).slope));

@@ -213,7 +213,7 @@ Joins joins_of_slopes(const Reading& of) {
   Joins joins;
   for (const features::BevelFeature& slope : of.subject.features.bevels)
     if (const auto angled = angled_end(slope, of.subject, of.table, of.notation);
-        angled && is_angle_of(of.dimension, slope))
+        angled && gives_angle(of.dimension, slope, of.subject.features.bevels))
       joins.push_back({angled->axis, slope.ends[0][angled->axis], slope.ends[1][angled->axis]});
   return joins;
 }

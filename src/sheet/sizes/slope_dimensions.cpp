@@ -129,6 +129,45 @@ Planned dimensions_of_chamfers(const Planning& plan, const std::vector<BevelFeat
   return planned;
 }
 
+/// The angle of a slope to the face at one of its ends, which an axis of the world is across.
+struct AngleOfSlope {
+  const BevelFeature* slope;
+  int across;
+  std::size_t corner;
+  const NamedProjection* view;
+};
+
+/// Equal ones have one dimension, with their number.
+class AnglesOfSlopes {
+ public:
+  void add(const AngleOfSlope& one) {
+    const auto is_equal = [&](const std::vector<AngleOfSlope>& group) {
+      const AngleOfSlope& first = group.front();
+      return first.across == one.across && first.view == one.view && are_equal(*first.slope, *one.slope);
+    };
+    const auto group = std::find_if(groups_.begin(), groups_.end(), is_equal);
+    if (group != groups_.end())
+      group->push_back(one);
+    else
+      groups_.push_back({one});
+  }
+
+  [[nodiscard]] std::vector<DimensionDescription> dimensions(const Planning& plan) const {
+    std::vector<DimensionDescription> dimensions;
+    for (const std::vector<AngleOfSlope>& group : groups_) {
+      const AngleOfSlope& shown = group.front();
+      dimensions.push_back(plan.dimension(DimensionType::angular, *shown.view, times(group.size()) + "<>"));
+      for (const Vec3& anchor : anchors_of_angle(*shown.slope, shown.corner, plan.subject.world))
+        dimensions.back().anchors.emplace_back(anchor);
+      check(dimensions.back().anchors.size() == 3, "an angle has a corner and two legs");
+    }
+    return dimensions;
+  }
+
+ private:
+  std::vector<std::vector<AngleOfSlope>> groups_;
+};
+
 }  // namespace
 
 bool has_angle(const BevelFeature& slope, const DimensionSubject& subject) {
@@ -185,6 +224,13 @@ bool are_equal(const BevelFeature& a, const BevelFeature& b) {
   return a.model == b.model && a.along == b.along && features::are_parallel(glm::abs(a.normal), glm::abs(b.normal));
 }
 
+bool gives_angle(const AnchoredDimension& dimension, const BevelFeature& slope, const std::vector<BevelFeature>& all) {
+  return is_angle_of(dimension, slope) ||
+         (repeats_of(dimension.text) > 1 && std::any_of(all.begin(), all.end(), [&](const BevelFeature& other) {
+            return are_equal(other, slope) && is_angle_of(dimension, other);
+          }));
+}
+
 Planned slope_dimensions(const Planning& plan) {
   std::vector<BevelFeature> chamfers, slopes;
   for (const BevelFeature& bevel : plan.subject.features.bevels) {
@@ -194,6 +240,7 @@ Planned slope_dimensions(const Planning& plan) {
   Planned planned = dimensions_of_chamfers(plan, chamfers);
   std::stable_sort(slopes.begin(), slopes.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
   std::size_t shown = 0;
+  AnglesOfSlopes angles;
   for (std::size_t i = 0; i < slopes.size(); ++i) {
     const NamedProjection* view = plan.views.along(Mat3(1)[slopes[i].along]);
     if (view == nullptr || slopes[i].area < min_area(plan.box)) continue;
@@ -203,9 +250,7 @@ Planned slope_dimensions(const Planning& plan) {
     }
     const auto angled = angled_end(slopes[i], plan.subject, plan.table, plan.notation);
     if (const auto corner = corner_of_angle(slopes[i], plan.subject, angled)) {
-      planned.dimensions.push_back(plan.dimension(DimensionType::angular, *view, "<>"));
-      for (const Vec3& anchor : anchors_of_angle(slopes[i], *corner, plan.subject.world))
-        planned.dimensions.back().anchors.emplace_back(anchor);
+      angles.add({&slopes[i], slopes[i].across[*corner], *corner, view});
       if (!angled) continue;  // the angle stands for both ends
     }
     for (int axis = 0; axis < 3; ++axis)
@@ -214,6 +259,7 @@ Planned slope_dimensions(const Planning& plan) {
             axis != slopes[i].along && !(angled && angled->end == end && angled->axis == axis))
           planned.places.emplace_back(Coordinate{view, axis, at[axis], at, -1, at});
   }
+  planned.append({angles.dimensions(plan)});
   return planned;
 }
 

@@ -37,6 +37,10 @@ bool is_angle_of(const AnchoredDimension& dimension, const features::BevelFeatur
 /// Whether the angle of one slope can stand for that of the other, as in "2× 60°".
 bool are_equal(const features::BevelFeature& a, const features::BevelFeature& b);
 
+/// Whether a dimension gives the angle of a slope: its own, or "2×" that of an equal one among all.
+bool gives_angle(const AnchoredDimension& dimension, const features::BevelFeature& slope,
+                 const std::vector<features::BevelFeature>& all);
+
 /// Chamfered corners have a note; other slopes have an angle, the positions of their ends, or of one and an angle,
 /// those of the largest ones first.
 Planned slope_dimensions(const Planning& plan);

@@ -2,6 +2,7 @@
 // Dimensions of faces that belong to no feature which has dimensions of its own.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -76,6 +77,16 @@ TEST(FreeFaceDimensions, GiveThePlaceOfACrown) {
   for (int i = 0; i < 6; ++i) {
     const DimensionedPart sheet(crowned_block({22.0 + i, -20.0 + i}, 50));
     expect_defined(sheet, "a crown " + std::to_string(i));
+  }
+}
+
+// Sides that lean alike have one angle between them, with their number.
+TEST(FreeFaceDimensions, GiveEqualSlopesOneAngle) {
+  for (const double degrees : {35.0, 65.0}) {
+    const double in = 20 / std::tan(degrees * std::numbers::pi / 180);
+    const DimensionedPart sheet(block({{0, 0}, {70, 0}, {70, 10}, {70 - in, 30}, {in, 30}, {0, 10}}, 25));
+    expect_defined(sheet, "slopes of " + std::to_string(degrees));
+    EXPECT_EQ(std::ranges::count(sheet.texts, "2× <>"), 1) << degrees;
   }
 }
 
