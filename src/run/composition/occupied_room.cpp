@@ -93,7 +93,10 @@ sheet::Neighbours neighbours_of(const sheet::SheetFurniture& furniture, const st
                                                         : sheet::drawing_area(paper);
   const sheet::BlockBoxes blocks = sheet::block_boxes(furniture);
   for (const auto& box : {blocks.title_block, blocks.parts_list, blocks.revisions})
-    if (box) neighbours.boxes.push_back(sheet::turned_box(*box));
+    if (box) {
+      neighbours.boxes.push_back(sheet::turned_box(*box));
+      neighbours.views.push_back(neighbours.boxes.back());
+    }
   for (const sheet::Rectangle& mark : centring_marks(furniture)) neighbours.boxes.push_back(sheet::turned_box(mark));
   for (const sheet::Text& label : labels) neighbours.texts.push_back(sheet::box_of(label, lettering));
   neighbours.boxes.insert(neighbours.boxes.end(), neighbours.texts.begin(), neighbours.texts.end());

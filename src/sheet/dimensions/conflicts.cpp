@@ -68,7 +68,7 @@ std::vector<std::string> crossings_of(const PlacedDimensions& placed, const std:
       if (placed[j] && (do_cross(*placed[i], *placed[j]) || have_crossing_leaders(*placed[i], *placed[j])))
         sentences.push_back(named(i) + " and " + named(j));
     if (is_in_other_view(*placed[i], neighbours))
-      sentences.push_back(named(i) + " and another view");
+      sentences.push_back(named(i) + " and another view or block of the sheet");
     else if (meets(*placed[i], neighbours))
       sentences.push_back(named(i) + " and something else on the sheet");
     if (is_on_lines(*placed[i], drawing)) sentences.push_back(named(i) + " and lines of the view");

@@ -16,9 +16,9 @@ namespace epura::sheet {
 struct Neighbours {
   std::optional<Rectangle> paper{};  ///< limits for everything
   std::vector<TurnedBox> boxes{};    ///< of other views, lettering, marks ...
-  std::vector<TurnedBox> views{};    ///< those of other views alone, in which nothing of this view is
-  std::vector<TurnedBox> texts{};    ///< those of lettering alone, through which no line goes
-  std::vector<TurnedBox> zones{};    ///< of dimensions of other views, in which no text of this one is
+  std::vector<TurnedBox> views{};  ///< those of other views, and blocks of the sheet, in which nothing of this view is
+  std::vector<TurnedBox> texts{};  ///< those of lettering alone, through which no line goes
+  std::vector<TurnedBox> zones{};  ///< of dimensions of other views, in which no text of this one is
   std::vector<TurnedBox> letters{};  ///< of marks at the view itself: lines that cannot avoid them are interrupted
 };
 

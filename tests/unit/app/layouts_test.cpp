@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// What would break if this were wrong: sheets that leave something out at a scale, and not at a larger one.
+// What would break if this were wrong: sheets that leave something out at a scale, and not at a larger one, and those
+// whose dimensions run into the title block.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "composition/layout.hpp"
+#include "composition/occupied_room.hpp"
 
 namespace epura::layouts_test {
 namespace {
@@ -19,6 +23,21 @@ TEST(Layouts, ALargerScaleIsTriedBeforeSmallerOnes) {
   for (std::size_t i = 2; i < layouts.size(); ++i) EXPECT_LT(layouts[i].kept_scale, layouts[i - 1].kept_scale);
   usual.chosen = false;
   EXPECT_TRUE(pipeline::roomier_layouts({}, usual).empty());
+}
+
+// As in other views, no line of a dimension may be there.
+TEST(Layouts, TheTitleBlockIsClosedToDimensions) {
+  sheet::SheetFurniture furniture;
+  furniture.paper = {420, 297, 20, 10};
+  furniture.frame = FrameKind::full;
+  furniture.title_block = sheet::TitleBlock{};
+  const auto block = sheet::block_boxes(furniture).title_block;
+  ASSERT_TRUE(block);
+  const sheet::Neighbours around = pipeline::neighbours_of(furniture, {}, {}, sheet::Lettering());
+  const auto is_in_it = [&](const sheet::TurnedBox& box) {
+    return sheet::overlap(box, sheet::turned_box({block->centre(), block->centre()}));
+  };
+  EXPECT_TRUE(std::any_of(around.views.begin(), around.views.end(), is_in_it));
 }
 
 }  // namespace

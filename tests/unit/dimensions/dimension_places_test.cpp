@@ -448,7 +448,7 @@ TEST(DimensionPlaces, NothingIsInsideAnotherView) {
   // Who asks for it has it, and lint says where it stands.
   const sheet::PlacedLayer asked = sheet::place_dimensions({world, front, height}, style, around);
   EXPECT_EQ(asked.layer.texts.size(), 1U);
-  EXPECT_EQ(asked.crossings, (std::vector<std::string>{"'40' and another view"}));
+  EXPECT_EQ(asked.crossings, (std::vector<std::string>{"'40' and another view or block of the sheet"}));
 }
 
 // A diameter seen edge-on needs lines that lead away from the plane of its circle.
