@@ -115,6 +115,19 @@ typedef struct epura_requirement {
   const char* missing; /* what of it could not be read, as "a value, its characteristic" */
 } epura_requirement;
 
+/* A view that the file has stored: a camera, and planes that cut what it shows. Coordinates are those of nodes without
+ * a parent. */
+typedef struct epura_saved_view {
+  uint32_t size;        /* sizeof(epura_saved_view) */
+  uint32_t is_central;  /* not 0: rays meet where the viewer stands; 0: they are parallel */
+  const char* name;     /* UTF-8; no other view has it */
+  double eye[3];        /* where the viewer stands; matters only if rays meet there */
+  double towards[3];    /* from the models towards the viewer; of any length but 0 */
+  double up[3];         /* what is upwards in the picture; not along `towards` */
+  uint64_t plane_count; /* number of planes that cut the models */
+  const double* planes; /* six numbers each: a point and a normal */
+} epura_saved_view;
+
 /* The functions that the importer calls. Each returns 0, or another number if the host stops the reading: the content
  * is too large or inconsistent, or the run was cancelled. The importer must then return at once; the sentence that it
  * returns is ignored. */
@@ -155,6 +168,8 @@ typedef struct epura_sink {
   /* What the file requires of the part, after the shapes whose faces it names. Optional on both sides: epura 0.2 and
    * earlier have no such function, which `size` tells. */
   int (*requirement)(void* host, const epura_requirement* requirement);
+  /* A view that the file has stored. Optional on both sides, as `requirement`. */
+  int (*saved_view)(void* host, const epura_saved_view* view);
 } epura_sink;
 
 /* The file to read, and the required precision. */

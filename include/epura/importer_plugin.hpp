@@ -114,6 +114,12 @@ class Sink {
     requirement.size = sizeof requirement;
     if (takes_requirements()) expect(sink_.requirement(sink_.host, &requirement));
   }
+  /// A view that the file has stored. Older hosts ignore it.
+  void saved_view(epura_saved_view view) {
+    view.size = sizeof view;
+    if (sink_.size >= offsetof(epura_sink, saved_view) + sizeof sink_.saved_view)
+      expect(sink_.saved_view(sink_.host, &view));
+  }
   void note(const std::string& sentence) { expect(sink_.note(sink_.host, sentence.c_str())); }
   void progress(double done) { expect(sink_.progress(sink_.host, done)); }
 

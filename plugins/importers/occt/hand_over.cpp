@@ -91,6 +91,19 @@ void hand_over(const Requirement& requirement, const FaceNumbers& numbers, epura
                     .missing = text(missing)});
 }
 
+void hand_over(const SavedView& view, epura::plugin::Sink& sink) {
+  std::vector<double> planes;
+  for (const std::array<double, 6>& plane : view.planes) planes.insert(planes.end(), plane.begin(), plane.end());
+  sink.saved_view({.size = sizeof(epura_saved_view),
+                   .is_central = view.is_central ? 1u : 0u,
+                   .name = view.name.c_str(),
+                   .eye = {view.eye.X(), view.eye.Y(), view.eye.Z()},
+                   .towards = {view.towards.X(), view.towards.Y(), view.towards.Z()},
+                   .up = {view.up.X(), view.up.Y(), view.up.Z()},
+                   .plane_count = view.planes.size(),
+                   .planes = planes.data()});
+}
+
 void hand_over(const Body& body, const BodyMesh& mesh, FaceCounter& counter, epura::plugin::Sink& sink) {
   sink.body(body.name);
   hand_over(body.colour, sink);
@@ -177,6 +190,7 @@ void hand_over(Model& model, const Fineness& fineness, epura::plugin::Sink& sink
     hand_over(place.colour, sink);
   }
   for (const Requirement& requirement : model.requirements) hand_over(requirement, counter.numbers(), sink);
+  for (const SavedView& view : model.saved_views) hand_over(view, sink);
   sink.progress(1);
 }
 

@@ -11,6 +11,7 @@
 #include <TopoDS_Shape.hxx>
 #include <array>
 #include <cstdint>
+#include <gp_Dir.hxx>
 #include <gp_Pnt.hxx>
 #include <gp_Trsf.hxx>
 #include <limits>
@@ -61,12 +62,22 @@ struct Requirement {
   std::vector<TopoDS_Shape> faces{};        ///< that they are or stand for
 };
 
+/// A camera that the file has stored. See epura_saved_view.
+struct SavedView {
+  bool is_central;
+  std::string name;
+  gp_Pnt eye;
+  gp_Dir towards, up;
+  std::vector<std::array<double, 6>> planes{};  ///< a point and a normal of each
+};
+
 /// Lengths in millimetres.
 struct Model {
   std::vector<Part> parts;
   std::vector<Place> places;
   std::vector<std::string> notes;  ///< sentences about repairs and omissions
   std::vector<Requirement> requirements{};
+  std::vector<SavedView> saved_views{};
 };
 
 /// Names and colours of shapes, without their locations.

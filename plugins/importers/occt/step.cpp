@@ -25,6 +25,7 @@
 #include "part21.hpp"
 #include "readers.hpp"
 #include "requirements.hpp"
+#include "saved_views.hpp"
 #include "session.hpp"
 #include "step_checks.hpp"
 #include "tree.hpp"
@@ -184,6 +185,7 @@ Model read_step(const std::string& file, Construction construction, epura::plugi
   const std::string text = text_of(path);
   if (model.parts.empty()) throw_shapeless(text, faults);
   model.requirements = requirements_of(reader.Reader(), text);
+  model.saved_views = saved_views_of(reader.Reader(), text, model.notes);
   const std::vector<std::string> unread = unread_in_step(text);
   model.notes.insert(model.notes.end(), unread.begin(), unread.end());
   return model;

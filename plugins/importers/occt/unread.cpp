@@ -76,7 +76,7 @@ bool is_body(std::string_view keyword) {
   return ends_with(keyword, "_BREP") || keyword == "BREP_WITH_VOIDS" || keyword == "SHELL_BASED_SURFACE_MODEL";
 }
 
-/// Goes through the statements of a STEP file. Dimensions, tolerances and datums are read elsewhere.
+/// Goes through the statements of a STEP file. Dimensions, tolerances, datums and saved views are read elsewhere.
 class StepCounter {
  public:
   void see(const Statement& statement) {
@@ -121,10 +121,8 @@ class StepCounter {
 
  private:
   const Thing* thing_of(std::string_view keyword) {
-    static constexpr std::array<std::pair<std::string_view, Thing>, 3> exact{
-        {{"CAMERA_MODEL_D3", Thing::view},
-         {"CAMERA_MODEL_D3_MULTI_CLIPPING", Thing::view},
-         {"CONSTRUCTIVE_GEOMETRY_REPRESENTATION", Thing::construction}}};
+    static constexpr std::array<std::pair<std::string_view, Thing>, 1> exact{
+        {{"CONSTRUCTIVE_GEOMETRY_REPRESENTATION", Thing::construction}}};
     static constexpr Thing triangles = Thing::triangles;
     if (is_of_triangles(keyword)) return &triangles;
     const auto found = std::find_if(exact.begin(), exact.end(), [&](const auto& row) { return row.first == keyword; });

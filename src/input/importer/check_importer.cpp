@@ -74,7 +74,7 @@ class Checker {
   }
 
   void check_model(const fs::path& model, const std::string& name) {
-    std::optional<Document> first;
+    std::optional<ImportedFile> first;
     const std::string called = model.filename().string();
     expect("reads", called + " becomes a mesh", [&] {
       first = read(model);
@@ -102,7 +102,7 @@ class Checker {
   // A correct importer answers with Error{input}.
   std::optional<std::string> fault_of_garbage(const fs::path& file) {
     try {
-      const Document document = read(file);
+      const ImportedFile document = read(file);
       const bool is_empty = std::all_of(document.shapes.begin(), document.shapes.end(), [](const Shape& shape) {
         return shape.polygon_ends.empty() && shape.wire_ends.empty() && shape.marked_points.empty();
       });
@@ -114,7 +114,7 @@ class Checker {
     }
   }
 
-  Document read(const fs::path& file) {
+  ImportedFile read(const fs::path& file) {
     ProgressBoard board;
     const Progress progress(board, seconds_);
     return importer_.read(
@@ -128,7 +128,7 @@ class Checker {
         [](double) {}, progress);
   }
 
-  static bool are_same(const Document& a, const Document& b) {
+  static bool are_same(const ImportedFile& a, const ImportedFile& b) {
     const auto same_shape = [](const Shape& one, const Shape& two) {
       return one.name == two.name && one.points == two.points && one.corners == two.corners &&
              one.polygon_ends == two.polygon_ends && one.face_of_polygon == two.face_of_polygon &&
@@ -150,9 +150,14 @@ class Checker {
              one.zone == two.zone && one.datums == two.datums && one.above == two.above && one.missing == two.missing &&
              one.faces == two.faces;
     };
+    const auto same_view = [](const SavedView& one, const SavedView& two) {
+      return one.is_central == two.is_central && one.name == two.name && one.eye == two.eye &&
+             one.towards == two.towards && one.up == two.up && one.planes == two.planes;
+    };
     return a.unit == b.unit && a.is_y_up == b.is_y_up && std::ranges::equal(a.shapes, b.shapes, same_shape) &&
            std::ranges::equal(a.nodes, b.nodes, same_node) &&
-           std::ranges::equal(a.requirements, b.requirements, same_requirement);
+           std::ranges::equal(a.requirements, b.requirements, same_requirement) &&
+           std::ranges::equal(a.saved_views, b.saved_views, same_view);
   }
 
   template <class Check>

@@ -76,7 +76,7 @@ std::vector<LoadedImporter> read_list(const epura_importer_list* list) {
   return importers;
 }
 
-Document read_by(const epura_importer& importer, const Reading& reading, const std::function<void(double)>& tell) {
+ImportedFile read_by(const epura_importer& importer, const Reading& reading, const std::function<void(double)>& tell) {
   const epura_source source{sizeof(epura_source),
                             static_cast<uint32_t>(std::max(reading.threads, 1)),
                             reading.path.c_str(),

@@ -12,7 +12,7 @@
 
 #include "foreign/parameters.hpp"
 #include "importer/bounds.hpp"
-#include "importer/document.hpp"
+#include "importer/imported_file.hpp"
 
 namespace epura::importer {
 
@@ -52,6 +52,6 @@ std::vector<LoadedImporter> read_list(const epura_importer_list* list);
 
 /// Throws Error{input} with the importer's message if the file is invalid, and Error{plugin} if the importer violates
 /// the interface.
-Document read_by(const epura_importer& importer, const Reading& reading, const std::function<void(double)>& tell);
+ImportedFile read_by(const epura_importer& importer, const Reading& reading, const std::function<void(double)>& tell);
 
 }  // namespace epura::importer

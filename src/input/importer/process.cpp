@@ -131,9 +131,9 @@ class Server {
     try {
       if (reading.is_confined != 0) confine(reading);
       if (has_own_memory) limit_memory(reading);
-      const Document document = read_by(importer, reading, tell);
+      const ImportedFile document = read_by(importer, reading, tell);
       answer(Answer::document);
-      pack_document(answer, document);
+      pack_file(answer, document);
     } catch (const Error& error) {
       answer(Answer::refusal), answer(error.kind()), answer(std::string(error.what()));
     }
@@ -209,8 +209,8 @@ class Process {
     return answer != 0;
   }
 
-  Document read(const std::string& name, const Reading& reading, const std::function<void(double)>& tell,
-                const Progress& progress) {
+  ImportedFile read(const std::string& name, const Reading& reading, const std::function<void(double)>& tell,
+                    const Progress& progress) {
     const std::lock_guard lock(mutex_);
     if (reading.is_confined != 0) expect_confinable(reading.readable);
     Packer question;
@@ -229,7 +229,7 @@ class Process {
         patience.see(done);
         continue;
       }
-      if (answer == Answer::document) return checked(unpack_document(unpack));
+      if (answer == Answer::document) return checked(unpack_file(unpack));
       ErrorKind kind{};
       std::string reason;
       unpack(kind), unpack(reason);
@@ -273,8 +273,8 @@ class Process {
     confined_to_ = readable;
   }
 
-  static Document checked(Document document) {
-    expect_sound(document);
+  static ImportedFile checked(ImportedFile document) {
+    expect_sound_file(document);
     return document;
   }
 
@@ -331,8 +331,8 @@ bool ImporterEntry::recognises(std::string_view first_bytes) const {
   }
 }
 
-Document ImporterEntry::read(const Reading& reading, const std::function<void(double)>& tell,
-                             const Progress& progress) const {
+ImportedFile ImporterEntry::read(const Reading& reading, const std::function<void(double)>& tell,
+                                 const Progress& progress) const {
   try {
     return process->read(table.name, reading, tell, progress);
   } catch (const Error& error) {

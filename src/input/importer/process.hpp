@@ -30,8 +30,8 @@ struct ImporterEntry {
   [[nodiscard]] bool recognises(std::string_view first_bytes) const;
   /// `tell` receives the fraction that is done, from 0 to 1. Throws Error{input} with the path of the file if it is
   /// invalid, Error{plugin} with the path of the library if the importer fails; OutOfTime, Stopped.
-  [[nodiscard]] Document read(const Reading& reading, const std::function<void(double)>& tell,
-                              const Progress& progress) const;
+  [[nodiscard]] ImportedFile read(const Reading& reading, const std::function<void(double)>& tell,
+                                  const Progress& progress) const;
 };
 
 /// Returns what a process may open that is confined for a file: what lies below its folder, and what the file itself,

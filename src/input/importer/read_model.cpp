@@ -177,7 +177,7 @@ ReadModel read_by_importer(const ImporterEntry& importer, const Source& source, 
       .bounds = given_bounds(values, bounds_for(all_bytes)),
       .readable = file ? std::vector<fs::path>() : readable_for(source.path, options.allow_outside)};
   Advance advance(progress, bytes);
-  const Document document = importer.read(
+  const ImportedFile document = importer.read(
       reading, [&](double done) { advance.to(done); }, progress);
   advance.to(1);
   try {
@@ -189,6 +189,7 @@ ReadModel read_by_importer(const ImporterEntry& importer, const Source& source, 
       model.part = std::make_shared<surfaces::PartFaces>(
           surfaces::part_of(model.mesh, assembled.part, surfaces::RecogniseOptions().tangent_angle));
     model.requirements = requirements_of(document, assembled, model.mesh, model.part.get());
+    model.saved_views = document.saved_views;
     if (document.unit > 0) model.unit = document.unit;
     model.is_y_up = document.is_y_up != 0;
     model.tree = std::move(assembled.tree);

@@ -11,6 +11,7 @@
 #include "base/progress.hpp"
 #include "foreign/parameters.hpp"
 #include "importer/assemble.hpp"
+#include "importer/imported_file.hpp"
 #include "importer/requirements.hpp"
 #include "mesh/mesh.hpp"
 #include "surfaces/recognise.hpp"
@@ -34,6 +35,7 @@ struct ReadModel {
   std::vector<BodyPart> body_parts{};                 ///< by body of the mesh; empty for formats without parts
   std::vector<TreePart> tree{};                       ///< parents before children; empty for formats without a tree
   std::vector<ModelRequirement> requirements{};       ///< in the order of the file
+  std::vector<SavedView> saved_views{};               ///< likewise
 };
 
 /// Reads mesh formats with mesh::read_mesh, and all other files with the importer for their extension or content.

@@ -99,7 +99,8 @@ DocumentSink::DocumentSink(std::function<void(double)> tell)
              &call<&DocumentSink::rounding, uint32_t>,
              &call<&DocumentSink::colour, double, double, double>,
              &call<&DocumentSink::step, double>,
-             &call<&DocumentSink::requirement, const epura_requirement*>} {}
+             &call<&DocumentSink::requirement, const epura_requirement*>,
+             &call<&DocumentSink::saved_view, const epura_saved_view*>} {}
 
 template <auto member, class... A>
 int DocumentSink::call(void* host, A... arguments) noexcept {
@@ -285,6 +286,25 @@ int DocumentSink::requirement(const epura_requirement* told) {
   auto& faces = document_.requirements.back().faces;
   std::ranges::sort(faces);
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  return 0;
+}
+
+int DocumentSink::saved_view(const epura_saved_view* told) {
+  require(told != nullptr && told->size >= sizeof(epura_saved_view), "hands over no saved view where it says so");
+  const std::string name = text_of(told->name);
+  std::vector<SavedView>& views = document_.saved_views;
+  require(!name.empty() && std::ranges::none_of(views, [&](const SavedView& one) { return one.name == name; }),
+          "hands over a saved view whose name is empty or that of another one");
+  require(told->plane_count == 0 || told->planes != nullptr, "hands over no planes of the saved view " + name);
+  expect_fewer(views.size() + told->plane_count);
+  SavedView view{told->is_central != 0 ? 1 : 0, name, {}, {}, {}};
+  std::copy_n(told->eye, 3, view.eye.begin());
+  std::copy_n(told->towards, 3, view.towards.begin());
+  std::copy_n(told->up, 3, view.up.begin());
+  for (std::uint64_t i = 0; i < told->plane_count; ++i)
+    std::copy_n(told->planes + 6 * i, 6, view.planes.emplace_back().begin());
+  require(is_sound_view(view), "hands over the saved view " + name + " with directions or places that are none");
+  views.push_back(std::move(view));
   return 0;
 }
 

@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "importer/document.hpp"
+#include "importer/imported_file.hpp"
 
 namespace epura::importer {
 
@@ -23,7 +23,7 @@ class DocumentSink {
   [[nodiscard]] const epura_sink& calls() const { return calls_; }
   /// The first invalid call of the importer; empty if there is none.
   [[nodiscard]] const std::string& fault() const { return fault_; }
-  [[nodiscard]] Document& document() { return document_; }
+  [[nodiscard]] ImportedFile& document() { return document_; }
   /// Lets all further calls fail.
   void end() { fault_ = "comes too late"; }
 
@@ -43,6 +43,7 @@ class DocumentSink {
   int colour(double red, double green, double blue);
   int step(double distance);
   int requirement(const epura_requirement* requirement);
+  int saved_view(const epura_saved_view* view);
 
   template <auto member, class... A>
   static int call(void* host, A... arguments) noexcept;
@@ -52,7 +53,7 @@ class DocumentSink {
 
   enum class Begun { nothing, node, shape, body };  ///< what began last
 
-  Document document_;
+  ImportedFile document_;
   std::function<void(double)> tell_;
   std::string fault_;
   Begun begun_ = Begun::nothing;

@@ -111,6 +111,10 @@ ProjectionRequest parse_request(std::string_view text) {
   if (request.name.empty()) refuse(where, "the name of the projection is missing", "NAME[:key=value]...");
   for (std::size_t i = 1; i < parts.size(); ++i) {
     const std::size_t equals = parts[i].find('=');
+    if (equals == std::string_view::npos && request.name == "saved" && i == 1) {
+      request.assignments.emplace_back("view", parts[i]);
+      continue;
+    }
     if (equals == std::string_view::npos || equals == 0)
       refuse(where, std::string("'").append(parts[i]) + "' is not a key=value",
              "name the parameter, as in oblique:angle=30; 'epura plugins " + request.name + "' lists them");

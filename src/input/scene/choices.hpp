@@ -192,6 +192,6 @@ struct ProjectionRequest {
 ScaleChoice parse_scale(std::string_view text, const std::string& where);        ///< fit, auto, 1:2, 0.5
 PaperChoice parse_paper_size(std::string_view text, const std::string& where);   ///< A4, ANSI-B, 300x200, none, auto
 BreakChoice::Part parse_break(std::string_view text, const std::string& where);  ///< x:40:160, z::20, y:40:
-ProjectionRequest parse_request(std::string_view text);  ///< NAME[:key=value]...; location: text
+ProjectionRequest parse_request(std::string_view text);  ///< NAME[:key=value]... or saved:VIEW; location: text
 
 }  // namespace epura::scene

@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "pipeline/complete_scene.hpp"
+#include "pipeline/saved_views.hpp"
 #include "pipeline/targets.hpp"
 #include "scene/part_options.hpp"
 #include "scene/scene_file.hpp"
@@ -120,6 +121,7 @@ scene::SceneDescription describe(const DrawOptions& options) {
   if (options.dimensions.given()) add_dimensions(scene, options);
   scene.dimensions.insert(scene.dimensions.end(), options.tolerances.begin(), options.tolerances.end());
   if (options.parts_list && !scene.parts_list) scene.parts_list = scene::PartsListDescription{"--parts-list"};
+  pipeline::expand_saved_views(scene, options.run);
   complete(scene, options);
   return scene;
 }

@@ -127,6 +127,7 @@ struct ModelInfo {
   std::vector<surfaces::Hole> holes;
   std::vector<importer::TreePart> tree;
   std::vector<importer::ModelRequirement> requirements;
+  std::vector<importer::SavedView> saved_views;
   std::vector<world::Solid> solids;             ///< in millimetres if the unit is known, or else in that of the file
   std::optional<world::MassProperties> mass{};  ///< of all bodies, if they are closed
   std::vector<int> face_numbers{};              ///< of the faces of the part
@@ -167,8 +168,8 @@ ModelInfo info_of(const std::string& path, const InfoOptions& options) {
   const importer::ReadModel read =
       importer::read_model(request.path, request.parameters, {.plugin_path = options.plugin_path});
   const mesh::Mesh& mesh = read.mesh;
-  ModelInfo info{mesh.report, features::box_of(mesh), read.unit, std::nullopt, {}, 0, false, {},
-                 read.tree,   read.requirements,      {}};
+  ModelInfo info{mesh.report,       features::box_of(mesh), read.unit, std::nullopt, {}, 0, false, {}, read.tree,
+                 read.requirements, read.saved_views,       {}};
   info.part = read.part != nullptr ? *read.part : surfaces::recognise_faces(mesh);
   info.shared_borders = count_shared(mesh, info.part);
   info.is_declared = read.part != nullptr;
@@ -382,6 +383,12 @@ std::vector<std::string> repairs_of(const mesh::MeshReport& report) {
   return repairs;
 }
 
+std::string saved_views_text(const std::vector<importer::SavedView>& views) {
+  std::string names;
+  for (const importer::SavedView& view : views) append_to_list(names, view.name);
+  return counted(static_cast<int>(views.size()), "view", "views") + ": " + names;
+}
+
 std::string text_of(const ModelInfo& info) {
   const mesh::MeshReport& report = info.report;
   const Rounded rounded(info.part.tolerance);
@@ -418,6 +425,7 @@ std::string text_of(const ModelInfo& info) {
     text += holes_text(info.holes, rounded);
   }
   for (const auto& [kind, line] : pipeline::requirement_lines(info.requirements)) text += line_of(kind, line);
+  if (!info.saved_views.empty()) text += line_of("saved", saved_views_text(info.saved_views));
   std::vector<std::string> repairs = repairs_of(report);
   for (const world::Solid& solid : info.solids)
     if (solid.turned)
@@ -508,6 +516,9 @@ std::string json_of(const ModelInfo& info) {
               std::to_string(count_of(info.requirements, kind));
     text += "}";
   }
+  if (!info.saved_views.empty())
+    text += ",\n   \"saved_views\": " +
+            json_list(info.saved_views, [](const importer::SavedView& view) { return json_string(view.name); });
   return text + ",\n   \"repairs\": " + json_list(repairs_of(report), json_string) + "}";
 }
 

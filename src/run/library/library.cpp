@@ -22,6 +22,7 @@
 #include "output/write.hpp"
 #include "pipeline/complete_scene.hpp"
 #include "pipeline/draw_scene.hpp"
+#include "pipeline/saved_views.hpp"
 #include "pipeline/targets.hpp"
 #include "report/error_budget.hpp"
 #include "scene/scene_file.hpp"
@@ -88,6 +89,8 @@ std::vector<SheetLayer> layers_of(const sheet::Sheet& sheet) {
 }
 
 Drawing draw_described(scene::SceneDescription scene, const Settings& settings) {
+  pipeline::RunOptions options = run_options_of(settings);
+  pipeline::expand_saved_views(scene, options);
   pipeline::complete_scene(scene);
   pipeline::complete_sheets(scene);
   auto content = std::make_shared<Drawing::Content>();
@@ -97,7 +100,6 @@ Drawing draw_described(scene::SceneDescription scene, const Settings& settings) 
   ProgressBoard board;
   board.observe({settings.progress, settings.stop});
   pipeline::Stopwatch watch;
-  pipeline::RunOptions options = run_options_of(settings);
   if (settings.plugins) settings.plugins->content().append_to(options.projections, scene, options.plugin_path);
   pipeline::DrawnScene drawn =
       pipeline::draw_scene(scene, options, {messages, Progress(board, settings.time_limit), watch});

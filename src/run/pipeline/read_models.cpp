@@ -93,15 +93,6 @@ std::string size_text(double size) {
   return size < 1e3 || size > 1e9 ? format_rounded(size, 4) : format_fixed(size, 0);
 }
 
-// The user's statements about a file take precedence over those in the file.
-Mat4 place_of(const scene::ModelDescription& model, const importer::ReadModel& read) {
-  const double unit = model.unit.given() ? scene::millimetres(*model.unit) : read.unit.value_or(1);
-  Mat4 place = scene::parse_transform("scale:" + format_number(unit));
-  if (model.up.value_or(read.is_y_up ? UpAxis::y : UpAxis::z) == UpAxis::y) place = scene::y_up_to_z_up() * place;
-  if (model.transform.given()) place = *model.transform * place;
-  return place;
-}
-
 // An upper bound for the factor by which the model's transform multiplies lengths.
 double enlargement_of(const scene::ModelDescription& model) {
   if (!model.transform.given()) return 1;
@@ -214,7 +205,29 @@ void take_requirements(std::vector<FileRequirements>& required, const scene::Sce
   begin_ledger(required.back(), scene);
 }
 
+// Unless they are what is drawn.
+void note_saved_views(const scene::SceneDescription& scene, const importer::ReadModel& read, mesh::MeshReport& report) {
+  const std::size_t count = read.saved_views.size();
+  const bool are_drawn = std::any_of(read.saved_views.begin(), read.saved_views.end(), [&](const auto& saved) {
+    return std::any_of(scene.views.begin(), scene.views.end(), [&](const scene::ViewDescription& view) {
+      return view.label.given() && *view.label == saved.name;
+    });
+  });
+  if (count > 0 && !are_drawn)
+    report.notes.push_back(std::to_string(count) + " saved view" + (count == 1 ? "" : "s") + " of the file " +
+                           (count == 1 ? "is" : "are") + " not drawn: --views saved draws " +
+                           (count == 1 ? "it" : "them"));
+}
+
 }  // namespace
+
+Mat4 place_of(const scene::ModelDescription& model, const importer::ReadModel& read) {
+  const double unit = model.unit.given() ? scene::millimetres(*model.unit) : read.unit.value_or(1);
+  Mat4 place = scene::parse_transform("scale:" + format_number(unit));
+  if (model.up.value_or(read.is_y_up ? UpAxis::y : UpAxis::z) == UpAxis::y) place = scene::y_up_to_z_up() * place;
+  if (model.transform.given()) place = *model.transform * place;
+  return place;
+}
 
 Reading reading_of(const scene::SceneDescription& scene, const RunOptions& options, double facets) {
   importer::ReadOptions read{.plugin_path = options.plugin_path,
@@ -283,6 +296,7 @@ ReadWorld read_models(const scene::SceneDescription& scene, const Reading& readi
     if (description.surfaces.value_or(Surfaces::automatic) == Surfaces::automatic) placed.back().part = model.rest.part;
     reports.push_back(placed.back().mesh->report);
     take_requirements(required, scene, static_cast<int>(i), model, reports.back());
+    note_saved_views(scene, model.rest, reports.back());
     warn_about(messages, reports.back(), says_wires);
   }
   world::World world = world::make_world(std::move(placed), wants_wires(scene));

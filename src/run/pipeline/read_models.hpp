@@ -33,6 +33,10 @@ Reading reading_of(const scene::SceneDescription& scene, const RunOptions& optio
 /// has such a paper.
 double part_of_drawings(const scene::SceneDescription& scene, double error);
 
+/// From the coordinates of a file to those of the world. The user's statements about a file take precedence over those
+/// in the file.
+Mat4 place_of(const scene::ModelDescription& model, const importer::ReadModel& read);
+
 struct ReadWorld {
   world::World world;
   std::vector<std::vector<importer::BodyPart>> parts{};  ///< of the bodies of each model
