@@ -66,14 +66,6 @@ std::string vector_text(const Vec3& v) {
   return text;
 }
 
-std::string material_of_datum(std::string_view text) {
-  const auto has = [&](std::string_view word) { return text.find(word) != std::string_view::npos; };
-  return has("maximum material") ? "MAXIMUM"
-         : has("least material") ? "LEAST"
-         : has("regardless")     ? "REGARDLESS"
-                                 : "NONE";
-}
-
 // Adds a list; the number of its items is known at its end.
 template <class AddItems>
 void add_list(pugi::xml_node parent, const char* name, const AddItems& add_items) {
@@ -109,7 +101,7 @@ void add_reference(pugi::xml_node datum, const std::string& words, const ModelId
   const auto add_simple = [&](pugi::xml_node parent, const std::string& letter) {
     pugi::xml_node simple = parent.append_child("SimpleDatum");
     qif::add_text(simple, "DatumDefinitionId", std::to_string(model.datums.at(letter)));
-    qif::add_text(simple, "MaterialModifier", material_of_datum(words));
+    qif::add_text(simple, "MaterialModifier", qif::material_of(words));
     qif::add_text(simple, "ReferencedComponent", "ACTUAL");
   };
   if (letters.size() == 1) return add_simple(datum, letters.front());
@@ -364,7 +356,7 @@ class QifDocument {
   void for_each_characteristic(const Visit& visit) const {
     std::size_t at = 0;
     for_each_row([&](std::size_t m, const LedgerRow& row) {
-      if (row.kind != RequirementKind::datum) visit(m, row, at++);
+      if (row.kind <= RequirementKind::tolerance) visit(m, row, at++);
     });
   }
 

@@ -103,13 +103,6 @@ void add_frame(pugi::xml_node node, const CharacteristicLinks& links) {
   if (links.datum_frame > 0) add_text(node, "DatumReferenceFrameId", std::to_string(links.datum_frame));
 }
 
-std::string material_of(const ModelRequirement& one) {
-  const bool is_reciprocal = is_modified(one, "reciprocity requirement");
-  for (const auto& [word, name] : {std::pair{"maximum material", "MAXIMUM"}, std::pair{"least material", "LEAST"}})
-    if (has(one.modifiers, word)) return std::string(name) + (is_reciprocal ? "_RPR" : "");
-  return is_modified(one, "regardless of feature size") ? "REGARDLESS" : "NONE";
-}
-
 bool is_round(const ModelRequirement& one) { return has(one.zone, "cylind") || one.zone == "within a circle"; }
 
 void add_zone(pugi::xml_node node, const ModelRequirement& one, const char* flat) {
@@ -146,7 +139,7 @@ void add_tolerance(pugi::xml_node node, const ModelRequirement& one, const Chara
   const bool is_of_form = content == Content::plain || content == Content::straightness;
   if (!is_of_form) add_frame(node, links);
   const bool has_material = content == Content::orientation || content == Content::position;
-  const std::string material = material_of(one);
+  const std::string material = material_of(one.modifiers);
   const bool may_have_it = content == Content::straightness || one.type == "flatness";
   if (has_material || (may_have_it && material != "NONE")) add_text(node, "MaterialCondition", material);
   if (content == Content::orientation) {
@@ -191,6 +184,13 @@ void add_dimension(pugi::xml_node node, const ModelRequirement& one, const Chara
 }
 
 }  // namespace
+
+std::string material_of(std::string_view modifiers) {
+  const char* reciprocity = has(modifiers, "reciprocity requirement") ? "_RPR" : "";
+  if (has(modifiers, "maximum material")) return std::string("MAXIMUM") + reciprocity;
+  if (has(modifiers, "least material")) return std::string("LEAST") + reciprocity;
+  return has(modifiers, "regardless of feature size") ? "REGARDLESS" : "NONE";
+}
 
 void add_text(pugi::xml_node node, const char* name, const std::string& text) {
   node.append_child(name).text().set(valid_utf8(text).c_str());

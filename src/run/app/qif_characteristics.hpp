@@ -4,6 +4,7 @@
 
 #include <pugixml.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "importer/requirements.hpp"
@@ -32,6 +33,10 @@ void add_definition(pugi::xml_node definition, const importer::ModelRequirement&
 /// Adds what belongs to the nominal behind the id of its definition.
 void add_nominal(pugi::xml_node nominal, const importer::ModelRequirement& one, const CharacteristicLinks& links,
                  const Units& units);
+
+/// Of modifiers in words, of a tolerance or of a datum that it refers to: "maximum material requirement, reciprocity
+/// requirement" is MAXIMUM_RPR.
+std::string material_of(std::string_view modifiers);
 
 /// Helpers for elements with one text.
 void add_text(pugi::xml_node node, const char* name, const std::string& text);

@@ -6,6 +6,7 @@
 #include <pugixml.hpp>
 #include <regex>
 
+#include "app/qif_characteristics.hpp"
 #include "errors.hpp"
 #include "folder.hpp"
 #include "program.hpp"
@@ -201,6 +202,17 @@ TEST_F(Qif, InchesStayInches) {
   EXPECT_EQ(text("//LinearUnit/UnitName"), "inch");
   EXPECT_EQ(text("//DistanceBetweenCharacteristicNominal/TargetValue"), "20");
   EXPECT_EQ(text("//StandardsOrganizationEnum"), "ASME");
+}
+
+// Of tolerances and of the datums that they refer to: one function for both.
+TEST(QifMaterial, IsWhatTheModifiersSay) {
+  EXPECT_EQ(qif::material_of("free state, maximum material requirement"), "MAXIMUM");
+  EXPECT_EQ(qif::material_of("least material condition"), "LEAST");
+  EXPECT_EQ(qif::material_of("maximum material requirement, reciprocity requirement"), "MAXIMUM_RPR");
+  EXPECT_EQ(qif::material_of("least material requirement, reciprocity requirement"), "LEAST_RPR");
+  EXPECT_EQ(qif::material_of("regardless of feature size"), "REGARDLESS");
+  EXPECT_EQ(qif::material_of("reciprocity requirement"), "NONE");
+  EXPECT_EQ(qif::material_of("maximum 0.2 mm"), "NONE");
 }
 
 TEST_F(Qif, AFileWithoutRequirementsIsAPlanOfNothing) {
