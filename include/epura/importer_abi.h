@@ -80,7 +80,8 @@ typedef struct epura_node {
 enum {
   EPURA_DIMENSION = 0, /* a size, distance or angle */
   EPURA_TOLERANCE = 1, /* a geometric tolerance */
-  EPURA_DATUM = 2      /* a datum, or a target of one */
+  EPURA_DATUM = 2,     /* a datum, or a target of one */
+  EPURA_NOTE = 3       /* a text of its faces, or without faces of the whole part */
 };
 
 /* What `lower` and `upper` of a requirement are. */
@@ -113,6 +114,12 @@ typedef struct epura_requirement {
   const char* datums;  /* of a datum: its letter; of a tolerance, in order: "A | B-C (maximum material requirement)" */
   const char* above;   /* the id of the tolerance below whose frame this one stands: a composite tolerance */
   const char* missing; /* what of it could not be read, as "a value, its characteristic" */
+  const char* text;    /* of a note */
+  /* Coordinates of what follows are those of the shape of its first face. */
+  uint64_t line_count; /* number of lines of a dimension between lines on faces */
+  const double* lines; /* six numbers each: the ends */
+  const double* area;  /* of a datum target, nine numbers: its middle, and from there the vectors to the ends of its
+                          length and its width; those of a point are zero, the width of a line is. NULL: not known */
 } epura_requirement;
 
 /* A view that the file has stored: a camera, and planes that cut what it shows. Coordinates are those of nodes without

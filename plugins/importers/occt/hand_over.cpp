@@ -69,6 +69,9 @@ void hand_over(const Requirement& requirement, const FaceNumbers& numbers, epura
   std::string missing = requirement.missing;
   if (lost > 0) missing += (missing.empty() ? "" : ", ") + counted(lost, "face") + " beside the drawn ones";
   const auto text = [](const std::string& words) { return words.empty() ? nullptr : words.c_str(); };
+  std::vector<double> lines, area;
+  for (const std::array<double, 6>& line : requirement.lines) lines.insert(lines.end(), line.begin(), line.end());
+  for (const gp_XYZ& v : requirement.area) area.insert(area.end(), {v.X(), v.Y(), v.Z()});
   sink.requirement({.size = sizeof(epura_requirement),
                     .kind = requirement.kind,
                     .id = requirement.id.c_str(),
@@ -88,7 +91,11 @@ void hand_over(const Requirement& requirement, const FaceNumbers& numbers, epura
                     .zone = text(requirement.zone),
                     .datums = text(requirement.datums),
                     .above = text(requirement.above),
-                    .missing = text(missing)});
+                    .missing = text(missing),
+                    .text = text(requirement.text),
+                    .line_count = lines.size() / 6,
+                    .lines = lines.data(),
+                    .area = area.empty() ? nullptr : area.data()});
 }
 
 void hand_over(const SavedView& view, epura::plugin::Sink& sink) {

@@ -12,8 +12,6 @@
 #include <Bnd_HArray1OfBox.hxx>
 #include <Precision.hxx>
 #include <StepData_StepModel.hxx>
-#include <StepGeom_Axis2Placement3d.hxx>
-#include <StepGeom_CartesianPoint.hxx>
 #include <StepGeom_Curve.hxx>
 #include <StepShape_Edge.hxx>
 #include <StepShape_EdgeLoop.hxx>
@@ -36,6 +34,7 @@
 #include <string_view>
 #include <utility>
 
+#include "placements.hpp"
 #include "readers.hpp"
 
 namespace occt {
@@ -48,7 +47,7 @@ using Number = unsigned long long;
 struct Items {
   std::map<Number, TopoDS_Shape> faces;
   std::map<Number, std::set<Number>> beside;  ///< of an edge: the faces that it bounds
-  std::map<Number, gp_Pnt> places;            ///< in the unit of the file
+  std::map<Number, gp_Ax2> places;            ///< in the unit of the file
   std::map<Number, TopoDS_Edge> lines;        ///< beside solids
 };
 
@@ -60,12 +59,12 @@ void add_edges(const StepShape_FaceSurface& face, Number number, const StepData_
   }
 }
 
-std::optional<gp_Pnt> place_of(const Handle(Standard_Transient) & entity) {
-  auto point = Handle(StepGeom_CartesianPoint)::DownCast(entity);
+// A point has the axes of space.
+std::optional<gp_Ax2> place_of(const Handle(Standard_Transient) & entity) {
   if (const auto placement = Handle(StepGeom_Axis2Placement3d)::DownCast(entity); !placement.IsNull())
-    point = placement->Location();
-  if (point.IsNull() || point->NbCoordinates() != 3) return std::nullopt;
-  return gp_Pnt(point->CoordinatesValue(1), point->CoordinatesValue(2), point->CoordinatesValue(3));
+    return axes_of(placement);
+  const auto point = triple(Handle(StepGeom_CartesianPoint)::DownCast(entity));
+  return point ? std::optional(gp_Ax2(gp_Pnt(*point), gp::DZ(), gp::DX())) : std::nullopt;
 }
 
 // `wanted` are the numbers that requirements name: places are many in a file.
@@ -116,7 +115,7 @@ class FaceFinder {
   // Returns how many items stand for no face.
   std::size_t find(Requirement& requirement) {
     std::size_t lost = 0;
-    const bool is_distance = add_apart(requirement);
+    const bool is_distance = add_apart(requirement), is_between_lines = add_lines(requirement);
     for (const Number item : requirement.items) {
       if (is_distance) break;
       std::size_t before = requirement.faces.size();
@@ -127,7 +126,7 @@ class FaceFinder {
       else if (const auto place = items_.places.find(item); place != items_.places.end())
         add_below_place(place->second, requirement);
       else if (const auto line = items_.lines.find(item);
-               line != items_.lines.end() && requirement.kind == EPURA_TOLERANCE)
+               line != items_.lines.end() && (is_between_lines || requirement.kind == EPURA_TOLERANCE))
         add_below_line(line->second, requirement);
       lost += requirement.faces.size() == before ? 1 : 0;
     }
@@ -172,8 +171,33 @@ class FaceFinder {
     if (cylinders.size() == 1) requirement.faces.push_back(cylinders.front());
   }
 
-  void add_below_place(const gp_Pnt& place, Requirement& requirement) {
-    if (!std::isnan(requirement.length_unit)) add_below({gp_Pnt(place.XYZ() * requirement.length_unit)}, requirement);
+  // A dimension between straight lines; one of them alone has a length.
+  bool add_lines(Requirement& requirement) const {
+    if (requirement.kind != EPURA_DIMENSION || requirement.is_angle || requirement.items.size() != 2) return false;
+    for (const Number item : requirement.items) {
+      const auto line = items_.lines.find(item);
+      if (line == items_.lines.end()) return false;
+      const BRepAdaptor_Curve curve(line->second);
+      if (curve.GetType() != GeomAbs_Line || Precision::IsInfinite(curve.FirstParameter()) ||
+          Precision::IsInfinite(curve.LastParameter()))
+        return false;
+    }
+    for (const Number item : requirement.items) {
+      const BRepAdaptor_Curve curve(items_.lines.at(item));
+      const gp_Pnt from = curve.Value(curve.FirstParameter()), to = curve.Value(curve.LastParameter());
+      requirement.lines.push_back({from.X(), from.Y(), from.Z(), to.X(), to.Y(), to.Z()});
+    }
+    return true;
+  }
+
+  // Its length is along the first axis of its place, its width along the second one.
+  void add_below_place(const gp_Ax2& place, Requirement& requirement) {
+    if (std::isnan(requirement.length_unit)) return;
+    const gp_XYZ at = place.Location().XYZ() * requirement.length_unit;
+    add_below({gp_Pnt(at)}, requirement);
+    if (requirement.type == "datum target")
+      requirement.area = {at, place.XDirection().XYZ() * (requirement.target_length / 2),
+                          place.YDirection().XYZ() * (requirement.target_width / 2)};
   }
 
   // A line on a face is one of its elements: three points of it are on the face.

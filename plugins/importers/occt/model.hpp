@@ -47,7 +47,7 @@ struct Place {
   std::optional<Colour> colour{};  ///< instead of those of everything below
 };
 
-/// What the file requires of the part: a dimension, a tolerance or a datum. See epura_requirement.
+/// What the file requires of the part: a dimension, a tolerance, a datum or a note. See epura_requirement.
 struct Requirement {
   std::uint32_t kind = EPURA_DIMENSION;
   std::string id{}, type{}, name{};
@@ -59,7 +59,11 @@ struct Requirement {
   std::string fit{}, modifiers{}, zone{}, datums{}, above{}, missing{};
   std::vector<unsigned long long> items{};  ///< numbers of the faces, edges and points of the file that it belongs to
   double length_unit = 1;                   ///< of the points among them, mm
-  std::vector<TopoDS_Shape> faces{};        ///< that they are or stand for
+  double target_length = 0, target_width = 0;  ///< of a datum target, mm
+  std::vector<TopoDS_Shape> faces{};           ///< that they are or stand for
+  std::string text{};                          ///< of a note
+  std::vector<std::array<double, 6>> lines{};  ///< in the coordinates of the first face
+  std::vector<gp_XYZ> area{};                  ///< likewise: three or none
 };
 
 /// A camera that the file has stored. See epura_saved_view.

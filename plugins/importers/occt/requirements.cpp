@@ -260,14 +260,21 @@ class RequirementReader {
       const bool is_target = statement != nullptr && has(*statement, is_datum);
       has_targets = has_targets || is_target;
       add_items(feature, requirement);
-      if (is_target) add_area(feature, requirement, nullptr);
+      if (is_target) add_area(feature, requirement, false);
     }
     if (has_targets) append(requirement.modifiers, "targets");
     if (requirement.items.empty() && !has_targets) append(requirement.missing, "a face that it belongs to");
   }
 
-  // The place of a target, as an item, and in words its size.
-  void add_area(EntityNumber target, Requirement& requirement, std::string* size) const {
+  static void take_size(const Measure& length, Requirement& requirement) {
+    append(requirement.modifiers, length.name + " " + printed_length(length.value) + " mm");
+    const bool is_diameter = length.name == "target diameter";
+    if (is_diameter || length.name == "target length") requirement.target_length = length.value;
+    if (is_diameter || length.name == "target width") requirement.target_width = length.value;
+  }
+
+  // The place of a target, as an item, and its size, also in words, if that is wanted.
+  void add_area(EntityNumber target, Requirement& requirement, bool with_size) const {
     for (const EntityNumber property : listed(index_.properties, target))
       for (const EntityNumber number : listed(index_.representations, property)) {
         const Statement* statement = graph_.find(number);
@@ -279,8 +286,8 @@ class RequirementReader {
           const Measure length = measure(item);
           if (std::isnan(length.value))
             requirement.items.push_back(item);
-          else if (size != nullptr)
-            append(*size, length.name + " " + printed_length(length.value) + " mm");
+          else if (with_size)
+            take_size(length, requirement);
         }
       }
   }
@@ -296,7 +303,7 @@ class RequirementReader {
       requirement.datums = letter_of(graph_, datum) + unquoted(last_argument_of(*record));
     add_items(number, requirement);
     if (requirement.datums.empty()) append(requirement.missing, "the datum that it is a target of");
-    add_area(number, requirement, &requirement.modifiers);
+    add_area(number, requirement, true);
     if (requirement.items.empty()) append(requirement.missing, "the place of its area");
   }
 

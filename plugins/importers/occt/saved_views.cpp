@@ -2,9 +2,6 @@
 #include "saved_views.hpp"
 
 #include <StepData_StepModel.hxx>
-#include <StepGeom_Axis2Placement3d.hxx>
-#include <StepGeom_CartesianPoint.hxx>
-#include <StepGeom_Direction.hxx>
 #include <StepGeom_Plane.hxx>
 #include <StepRepr_RepresentationItem.hxx>
 #include <StepVisual_CameraModelD3.hxx>
@@ -15,39 +12,15 @@
 #include <TCollection_HAsciiString.hxx>
 #include <algorithm>
 #include <cmath>
-#include <gp.hxx>
-#include <gp_Ax2.hxx>
 #include <optional>
 #include <utility>
 
 #include "measures.hpp"
+#include "placements.hpp"
 
 namespace occt {
 
 namespace {
-
-std::optional<gp_XYZ> triple(const Handle(StepGeom_CartesianPoint) & point) {
-  if (point.IsNull() || point->NbCoordinates() != 3) return std::nullopt;
-  return gp_XYZ(point->CoordinatesValue(1), point->CoordinatesValue(2), point->CoordinatesValue(3));
-}
-
-std::optional<gp_XYZ> triple(const Handle(StepGeom_Direction) & direction) {
-  if (direction.IsNull() || direction->NbDirectionRatios() != 3) return std::nullopt;
-  const gp_XYZ ratios(direction->DirectionRatiosValue(1), direction->DirectionRatiosValue(2),
-                      direction->DirectionRatiosValue(3));
-  return ratios.Modulus() > gp::Resolution() ? std::optional(ratios) : std::nullopt;
-}
-
-// What a placement leaves out is along the axes of space, as far as possible (ISO 10303-42).
-std::optional<gp_Ax2> axes_of(const Handle(StepGeom_Axis2Placement3d) & placement) {
-  if (placement.IsNull()) return std::nullopt;
-  const auto origin = triple(placement->Location());
-  const auto z = placement->HasAxis() ? triple(placement->Axis()) : gp_XYZ(0, 0, 1);
-  if (!origin || !z) return std::nullopt;
-  const auto x = placement->HasRefDirection() ? triple(placement->RefDirection()) : std::nullopt;
-  if (x && gp_Dir(*x).IsParallel(gp_Dir(*z), gp::Resolution())) return std::nullopt;
-  return x ? gp_Ax2(gp_Pnt(*origin), gp_Dir(*z), gp_Dir(*x)) : gp_Ax2(gp_Pnt(*origin), gp_Dir(*z));
-}
 
 // The view plane is in front of the viewer: programs let the axis look at the model, or at the viewer.
 std::optional<SavedView> view_of(const StepVisual_CameraModelD3& camera, double unit) {

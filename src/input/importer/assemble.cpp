@@ -35,6 +35,7 @@ class Assembler {
  public:
   explicit Assembler(const Document& document) : document_(document) {
     result_.first_faces.resize(document.shapes.size());
+    result_.places.resize(document.shapes.size());
   }
 
   Assembled assemble(const std::string& format) {
@@ -263,6 +264,7 @@ class Assembler {
     surfaces::DeclaredPart& part = result_.part;
     const auto first_face = static_cast<int>(part.faces.size());
     result_.first_faces[static_cast<std::size_t>(&shape - document_.shapes.data())].push_back(first_face);
+    result_.places[static_cast<std::size_t>(&shape - document_.shapes.data())].push_back(to_file);
     const std::optional<double> scale = surfaces::similarity_scale(to_file);
     for (const PartSurface& surface : shape.faces)
       part.faces.push_back(scale ? surfaces::moved(surface, to_file, *scale) : PartSurface{});

@@ -32,6 +32,7 @@ struct Assembled {
   surfaces::DeclaredPart part;
   /// By shape of the document: the number in `part` of its first face, wherever it stands.
   std::vector<std::vector<int>> first_faces;
+  std::vector<std::vector<Mat4>> places;  ///< likewise: to the coordinates of the file
 };
 
 /// Lengths are in the unit of the file. Names of bodies combine the name of the node or its shape with that of the

@@ -148,7 +148,7 @@ class Checker {
              same_number(one.upper, two.upper) && same_number(one.unit, two.unit) && one.id == two.id &&
              one.type == two.type && one.name == two.name && one.fit == two.fit && one.modifiers == two.modifiers &&
              one.zone == two.zone && one.datums == two.datums && one.above == two.above && one.missing == two.missing &&
-             one.faces == two.faces;
+             one.faces == two.faces && one.text == two.text && one.lines == two.lines && one.area == two.area;
     };
     const auto same_view = [](const SavedView& one, const SavedView& two) {
       return one.is_central == two.is_central && one.name == two.name && one.eye == two.eye &&

@@ -49,8 +49,8 @@ bool is_sound(const Shape& shape) {
 }
 
 bool is_sound_requirement(const Requirement& requirement, const std::vector<Shape>& shapes) {
-  return requirement.kind <= RequirementKind::datum && requirement.bounds <= RequirementBounds::limits &&
-         -1 <= requirement.decimals && requirement.decimals <= max_decimals &&
+  return requirement.kind <= RequirementKind::note && requirement.bounds <= RequirementBounds::limits &&
+         -1 <= requirement.decimals && requirement.decimals <= max_decimals && has_sound_places(requirement) &&
          std::all_of(requirement.faces.begin(), requirement.faces.end(), [&](const std::array<int, 2>& face) {
            return 0 <= face[0] && face[0] < static_cast<int>(shapes.size()) && 0 <= face[1] &&
                   face[1] < static_cast<int>(shapes[static_cast<std::size_t>(face[0])].faces.size());
@@ -77,10 +77,11 @@ template <class Pack, class Value>
 void pack_requirement(Pack& pack, Value& requirement) {
   pack(requirement.kind), pack(requirement.bounds), pack(requirement.is_angle), pack(requirement.decimals);
   pack(requirement.value), pack(requirement.lower), pack(requirement.upper), pack(requirement.unit);
-  for (auto* text : {&requirement.id, &requirement.type, &requirement.name, &requirement.fit, &requirement.modifiers,
-                     &requirement.zone, &requirement.datums, &requirement.above, &requirement.missing})
+  for (auto* text :
+       {&requirement.id, &requirement.type, &requirement.name, &requirement.fit, &requirement.modifiers,
+        &requirement.zone, &requirement.datums, &requirement.above, &requirement.missing, &requirement.text})
     pack(*text);
-  pack(requirement.faces);
+  pack(requirement.faces), pack(requirement.lines), pack(requirement.area);
 }
 
 template <class Pack, class Value>
@@ -90,6 +91,15 @@ void pack_rest(Pack& pack, Value& document) {
 }
 
 }  // namespace
+
+bool has_sound_places(const StatedRequirement& requirement) {
+  const auto are_finite = [](const auto& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(), [](double v) { return std::isfinite(v); });
+  };
+  return (requirement.area.empty() || requirement.area.size() == 3) &&
+         std::all_of(requirement.area.begin(), requirement.area.end(), are_finite) &&
+         std::all_of(requirement.lines.begin(), requirement.lines.end(), are_finite);
+}
 
 void expect_sound(const Document& document) {
   foreign::require(std::all_of(document.shapes.begin(), document.shapes.end(), is_sound), "corrupts its process");

@@ -55,10 +55,11 @@ inline constexpr int max_decimals = 16;
 enum class RequirementKind : std::uint32_t {
   dimension = EPURA_DIMENSION,
   tolerance = EPURA_TOLERANCE,
-  datum = EPURA_DATUM
+  datum = EPURA_DATUM,
+  note = EPURA_NOTE
 };
 /// Indexed by RequirementKind.
-inline constexpr std::array<std::string_view, 3> requirement_kind_names{"dimension", "tolerance", "datum"};
+inline constexpr std::array<std::string_view, 4> requirement_kind_names{"dimension", "tolerance", "datum", "note"};
 
 enum class RequirementBounds : std::uint32_t {
   none = EPURA_NO_BOUNDS,
@@ -68,8 +69,8 @@ enum class RequirementBounds : std::uint32_t {
 /// Indexed by RequirementBounds.
 inline constexpr std::array<std::string_view, 3> requirement_bounds_names{"none", "deviations", "limits"};
 
-/// A dimension, a geometric tolerance or a datum, as the file states it. Lengths are in millimetres, angles in degrees;
-/// NaN: the file does not say. For the texts see epura_requirement; empty: the file does not say.
+/// A dimension, a geometric tolerance, a datum or a note, as the file states it. Lengths are in millimetres, angles in
+/// degrees; NaN: the file does not say. For the texts see epura_requirement; empty: the file does not say.
 struct StatedRequirement {
   RequirementKind kind;
   RequirementBounds bounds;
@@ -78,7 +79,10 @@ struct StatedRequirement {
   double value, lower, upper;
   double unit;  ///< of the file, in millimetres or degrees; 0: not known
   std::string id{}, type{}, name{}, fit{}, modifiers{}, zone{}, datums{}, above{};
-  std::string missing{};  ///< what of it could not be read
+  std::string missing{};                       ///< what of it could not be read
+  std::string text{};                          ///< of a note
+  std::vector<std::array<double, 6>> lines{};  ///< see epura_requirement
+  std::vector<std::array<double, 3>> area{};   ///< three or none; likewise
 };
 
 struct Requirement : StatedRequirement {
@@ -95,6 +99,9 @@ struct Document {
   std::vector<std::string> notes{};
   std::vector<Requirement> requirements{};
 };
+
+/// Whether its lines and area are finite, and the area has all that it needs.
+bool has_sound_places(const StatedRequirement& requirement);
 
 /// Throws Error{plugin} for indices out of range: the process that sent them may be corrupted.
 void expect_sound(const Document& document);

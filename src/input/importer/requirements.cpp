@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "base/error.hpp"
 
@@ -18,6 +19,22 @@ std::vector<int> faces_on_mesh(const Assembled& assembled, const mesh::Mesh& mes
     face_of_declared[static_cast<std::size_t>(assembled.part.face_of_polygon[polygon])] = part.face_of_triangle[t];
   }
   return face_of_declared;
+}
+
+std::array<double, 3> moved(const Vec4& v, const Mat4& to_file) {
+  const Vec4 at = to_file * v;
+  return {at.x, at.y, at.z};
+}
+
+// From the coordinates of a shape to those of the file, where the shape stands first.
+void move_places(StatedRequirement& requirement, const Mat4& to_file) {
+  for (std::array<double, 6>& line : requirement.lines) {
+    const auto from = moved({line[0], line[1], line[2], 1}, to_file),
+               to = moved({line[3], line[4], line[5], 1}, to_file);
+    line = {from[0], from[1], from[2], to[0], to[1], to[2]};
+  }
+  double w = 1;  // the first is a point, the others are directions
+  for (std::array<double, 3>& v : requirement.area) v = moved({v[0], v[1], v[2], std::exchange(w, 0)}, to_file);
 }
 
 }  // namespace
@@ -40,6 +57,10 @@ std::vector<ModelRequirement> requirements_of(const Document& document, const As
       for (const int first : first_faces)
         if (const int on_part = on_mesh[static_cast<std::size_t>(first + face)]; on_part >= 0) faces.push_back(on_part);
     }
+    if (const auto& own = document.requirements[i].faces; !own.empty()) {
+      const std::vector<Mat4>& places = assembled.places[static_cast<std::size_t>(own.front()[0])];
+      if (!places.empty()) move_places(requirement, places.front());
+    }
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   }
@@ -52,7 +73,7 @@ std::size_t count_of(const std::vector<ModelRequirement>& requirements, Requirem
 }
 
 std::string counted_requirements(const std::vector<ModelRequirement>& requirements) {
-  constexpr std::array words{"dimension", "geometric tolerance", "datum"};
+  constexpr std::array words{"dimension", "geometric tolerance", "datum", "note"};
   std::vector<std::string> counts;
   for (std::size_t kind = 0; kind < words.size(); ++kind) {
     const std::size_t count = count_of(requirements, static_cast<RequirementKind>(kind));

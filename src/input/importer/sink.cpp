@@ -74,7 +74,8 @@ Requirement requirement_of(const epura_requirement& told) {
            .zone = text_of(told.zone),
            .datums = text_of(told.datums),
            .above = text_of(told.above),
-           .missing = text_of(told.missing)},
+           .missing = text_of(told.missing),
+           .text = text_of(told.text)},
           {}};
 }
 
@@ -270,13 +271,22 @@ int DocumentSink::requirement(const epura_requirement* told) {
   expect_fewer(document_.requirements.size());
   require(told->id != nullptr && *told->id != '\0' && ids_.insert(told->id).second,
           "hands over a requirement whose id is empty or that of another one");
-  require(told->kind <= EPURA_DATUM && told->bounds <= EPURA_LIMITS,
+  require(told->kind <= EPURA_NOTE && told->bounds <= EPURA_LIMITS,
           std::string("hands over the requirement ") + told->id + " of unknown kind or with unknown bounds");
   require(-1 <= told->decimals && told->decimals <= max_decimals,
           std::string("hands over the requirement ") + told->id + " with decimals that no number has");
   require(told->face_count == 0 || told->faces != nullptr,
           std::string("hands over no faces of the requirement ") + told->id);
+  require(told->line_count == 0 || told->lines != nullptr,
+          std::string("hands over no lines of the requirement ") + told->id);
+  expect_fewer(told->line_count);
   document_.requirements.push_back(requirement_of(*told));
+  Requirement& taken = document_.requirements.back();
+  for (std::uint64_t i = 0; i < told->line_count; ++i)
+    std::copy_n(told->lines + 6 * i, 6, taken.lines.emplace_back().begin());
+  for (std::size_t i = 0; told->area != nullptr && i < 3; ++i)
+    std::copy_n(told->area + 3 * i, 3, taken.area.emplace_back().begin());
+  require(has_sound_places(taken), "hands over the requirement " + taken.id + " with places that are not finite");
   for (uint32_t i = 0; i < told->face_count; ++i) {
     const uint32_t shape = told->faces[2 * i], face = told->faces[2 * i + 1];
     require(shape < document_.shapes.size() && face < document_.shapes[shape].faces.size(),

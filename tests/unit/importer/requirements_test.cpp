@@ -247,6 +247,11 @@ TEST(Requirements, DatumTargetsHaveTheFaceOfTheirPlace) {
     EXPECT_EQ(on.modifiers, in_inches ? "target diameter 101.6 mm" : "target diameter 4 mm");
     EXPECT_EQ(normals(model, on), "+z");
     EXPECT_EQ(on.missing, "");
+    const double unit = in_inches ? 25.4 : 1;
+    const std::vector<std::array<double, 3>> area{{10, 10, 20}, {2, 0, 0}, {0, 2, 0}};
+    ASSERT_EQ(on.area.size(), area.size());
+    for (std::size_t i = 0; i < area.size(); ++i)
+      for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(on.area[i][k], unit * area[i][k], 1e-9) << i << k;
     EXPECT_EQ(off.faces.size(), 0U);
     EXPECT_EQ(off.missing, "1 item without a face");
     EXPECT_EQ(normals(model, datum), "+z");
@@ -366,6 +371,13 @@ TEST(Requirements, TheBorderTakesSoundOnesAlone) {
   epura_requirement exact = flatness("second");
   exact.decimals = 1'000'000'000;
   EXPECT_EQ(fault_of(exact), "hands over the requirement second with decimals that no number has");
+  epura_requirement nowhere = flatness("second");
+  const std::array<double, 9> place{0, 0, 0, 1, 0, 0, 0, NAN, 0};
+  nowhere.area = place.data();
+  EXPECT_EQ(fault_of(nowhere), "hands over the requirement second with places that are not finite");
+  epura_requirement no_lines = flatness("second");
+  no_lines.line_count = 1;
+  EXPECT_EQ(fault_of(no_lines), "hands over no lines of the requirement second");
 }
 
 }  // namespace
