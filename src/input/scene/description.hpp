@@ -182,6 +182,14 @@ struct NoteText {
   std::vector<std::string> lines;
 };
 
+/// A target of a datum: the area of a face on which the part rests there. ISO 5459. Not in scene files.
+struct DatumTarget {
+  std::string label;   ///< "A1"
+  std::string size{};  ///< of its area: "⌀10", "20×10"; empty if there is none, or if dimensions say it
+  bool is_round = false;
+  Vec3 middle{0}, half_length{0}, half_width{0};  ///< of its area, in the world
+};
+
 /// What stands beside a view, with a leader into it, or alone on the sheet.
 struct CalloutDescription {
   std::string where;           ///< for errors
@@ -192,7 +200,7 @@ struct CalloutDescription {
   Located<Vec2> at{};          ///< upper left corner, mm from the lower left corner of the sheet; by default chosen
   Located<int> sheet{};        ///< without a leader: number of its sheet, from 1; by default the first
   std::string requirement{};   ///< of a model file, by its id, that this draws; not in scene files
-  std::variant<NoteText, ToleranceFrame, DatumFeature, SurfaceTexture> content{};
+  std::variant<NoteText, ToleranceFrame, DatumFeature, DatumTarget, SurfaceTexture> content{};
 };
 
 /// A screw thread in a hole or on a shaft, drawn as in ISO 6410-1.

@@ -509,8 +509,8 @@ std::string json_of(const ModelInfo& info) {
   text += ",\n   \"holes\": " + json_list(holes, as_it_is, ",\n    ");
   if (!info.requirements.empty()) {
     text += ",\n   \"requirements\": {";
-    for (const auto kind :
-         {importer::RequirementKind::dimension, importer::RequirementKind::tolerance, importer::RequirementKind::datum})
+    for (const auto kind : {importer::RequirementKind::dimension, importer::RequirementKind::tolerance,
+                            importer::RequirementKind::datum, importer::RequirementKind::note})
       text += (kind == importer::RequirementKind::dimension ? "" : ", ") +
               json_string(importer::requirement_kind_names[static_cast<std::size_t>(kind)]) + ": " +
               std::to_string(count_of(info.requirements, kind));

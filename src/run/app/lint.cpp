@@ -47,7 +47,7 @@ std::string json_of(const report::RequirementRow& row) {
   std::string text = "{\"model\": " + output::json_string(row.model) + ", \"id\": " + output::json_string(row.id) +
                      ", \"kind\": " + output::json_string(row.kind) + ", \"what\": " + output::json_string(row.what) +
                      ", \"wanted\": " + (row.wanted ? "true" : "false");
-  if (row.is_drawn()) text += ", \"view\": " + output::json_string(row.view);
+  if (!row.view.empty()) text += ", \"view\": " + output::json_string(row.view);
   if (row.sheet > 0) text += ", \"sheet\": " + std::to_string(row.sheet);
   if (!row.zone.empty()) text += ", \"sheet_zone\": " + output::json_string(row.zone);
   if (!row.why.empty()) text += ", \"reason\": " + output::json_string(row.why);

@@ -119,6 +119,7 @@ const std::vector<Field>& fields() {
          return FieldValue(TextList{one.datums, " | "});
        }},
       {"above", [](One one) { return given(one.above); }},
+      {"text", [](One one) { return given(one.text); }},
       {"characteristic",
        [](One one) { return one.characteristic > 0 ? given(double(one.characteristic)) : FieldValue(); }},
       {"faces", [](One one) { return FieldValue(one.faces); }},
@@ -262,7 +263,7 @@ bool is_incomplete(const Ledger& ledger) {
 std::string reference_location(const Ledger& ledger, const LedgerRow& row) {
   if (!row.shown.is_drawn()) return std::filesystem::path(ledger.model).filename().string() + " " + row.id;
   return "sheet " + std::to_string(row.shown.sheet) + (row.shown.zone.empty() ? "" : ", zone " + row.shown.zone) +
-         ", view " + row.shown.view;
+         (row.shown.view.empty() ? ", notes" : ", view " + row.shown.view);
 }
 
 std::string comments_on(const LedgerRow& row) {

@@ -11,6 +11,7 @@
 #include "annotations/cutting_plane_line.hpp"
 #include "annotations/detail_marks.hpp"
 #include "annotations/sight_arrows.hpp"
+#include "annotations/target_areas.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "composition/construction_layers.hpp"
@@ -373,6 +374,7 @@ using CalloutsOfViews = std::vector<std::vector<sheet::Callout>>;
 // Notes and symbols with leaders, in layers of their own; first those that are attached to dimensions.
 void add_callouts(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
                   std::span<const ViewResult> views, const sheet::DimensionStyle& style, CalloutsOfViews attached) {
+  const sheet::LineWidths widths = sheet::line_widths(input.plan.furniture.paper, input.plan.furniture.styles);
   for (std::size_t i = 0; i < views.size(); ++i) {
     std::vector<sheet::Callout> callouts = std::move(attached[i]);
     for (std::size_t k = 0; k < input.annotations[i].callouts.size(); ++k) {
@@ -389,6 +391,7 @@ void add_callouts(AnnotationLayers& result, sheet::Neighbours& around, const She
     sheet::CalloutLayers layers = sheet::callout_layers(drawing.name, style);
     const sheet::CalloutFaults faults = sheet::place_callouts(layers, callouts, drawing, style, neighbours);
     for (const auto& [number, box] : faults.places) result.places.push_back({callouts[number].requirement, i, box});
+    if (auto areas = sheet::target_areas(drawing, callouts, faults, widths)) result.layers.push_back(std::move(*areas));
     for (const std::size_t number : faults.without_place) {
       const std::string& name = callouts[number].name;
       result.unplaced.push_back(callouts[number].requirement);
@@ -462,13 +465,14 @@ void add_free_callouts(AnnotationLayers& result, sheet::Neighbours& around, cons
                        std::span<const ViewResult> views, const sheet::DimensionStyle& style) {
   sheet::CalloutLayers layers = sheet::callout_layers("sheet", style);
   std::vector<std::vector<std::string>> notes;
+  std::vector<std::string> required;
   std::vector<scene::CalloutDescription> symbols;
   for (const scene::CalloutDescription& callout : callouts_of_sheet(input)) {
     const auto* note = std::get_if<scene::NoteText>(&callout.content);
     if (callout.at.given())
       sheet::draw_at(layers, drawn(callout, style), *callout.at);
     else if (note != nullptr)
-      notes.push_back(note->lines);
+      notes.push_back(note->lines), required.push_back(callout.requirement);
     else
       symbols.push_back(callout);
   }
@@ -486,7 +490,8 @@ void add_free_callouts(AnnotationLayers& result, sheet::Neighbours& around, cons
       warn(name_of(symbol));
   }
   const std::string heading(sheet::caption("notes", input.sheet().field("language")));
-  if (!notes.empty() && !add_general_notes(layers, notes, heading, room, taken, style)) warn("the general notes");
+  if (!notes.empty() && !add_general_notes(layers, notes, heading, room, taken, style))
+    warn("the general notes"), std::ranges::copy(required, std::back_inserter(result.unplaced));
   add_layers(result, around, std::move(layers), style.lettering);
 }
 

@@ -366,11 +366,13 @@ std::vector<Annotations> annotate(const world::World& world, const scene::SceneD
   return annotations;
 }
 
+bool follows_asme(const scene::SheetDescription& sheet) { return sheet.field("standard").starts_with("ASME"); }
+
 sheet::Notation notation_of(const world::World& world, const scene::SheetDescription& sheet) {
   const Vec3 size = world.box.max - world.box.min;
   const Unit unit = sheet.dimension_unit.value_or(Unit::mm);
   const int usual = sheet::usual_decimals(std::max({size.x, size.y, size.z}), unit);
-  return {sheet.decimals.value_or(usual), unit, sheet.decimal_sign.value_or(DecimalSign::point)};
+  return {sheet.decimals.value_or(usual), unit, sheet.decimal_sign.value_or(DecimalSign::point), follows_asme(sheet)};
 }
 
 void expect_views_of_annotations(const scene::SceneDescription& scene) {

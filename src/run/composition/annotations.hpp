@@ -63,6 +63,9 @@ std::vector<Annotations> annotate(const world::World& world, const scene::SceneD
                                   const SheetOfViews& sheet, std::span<const view::ProjectedScene> seen,
                                   const SectionSurfaces& sections);
 
+/// Whether the standard in its title block is one of ASME: signs are those of ASME Y14.5 where ISO has others.
+bool follows_asme(const scene::SheetDescription& sheet);
+
 /// How dimensions of a sheet are written.
 sheet::Notation notation_of(const world::World& world, const scene::SheetDescription& sheet);
 

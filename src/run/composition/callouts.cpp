@@ -101,6 +101,7 @@ struct NameOf {
     return "the tolerance of " + std::string(scene::row_of(frame.characteristic).name);
   }
   std::string operator()(const scene::DatumFeature& datum) const { return "datum " + datum.letter; }
+  std::string operator()(const scene::DatumTarget& target) const { return "datum target " + target.label; }
   std::string operator()(const scene::SurfaceTexture& texture) const {
     return "the surface texture" + (texture.lines.empty() ? "" : " '" + texture.lines.front() + "'");
   }
@@ -214,6 +215,7 @@ sheet::Callout drawn(const scene::CalloutDescription& callout, const sheet::Dime
     }
     sheet::Callout operator()(const scene::ToleranceFrame& frame) const { return sheet::tolerance_frame(frame, style); }
     sheet::Callout operator()(const scene::DatumFeature& datum) const { return sheet::datum_frame(datum, style); }
+    sheet::Callout operator()(const scene::DatumTarget& target) const { return sheet::target_symbol(target, style); }
     sheet::Callout operator()(const scene::SurfaceTexture& texture) const {
       return sheet::texture_symbol(texture, style);
     }

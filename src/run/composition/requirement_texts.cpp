@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -21,14 +22,19 @@ namespace {
 using importer::ModelRequirement;
 using importer::RequirementBounds;
 
-/// The word of a file, and the sign of drawings.
+/// The sign of what a standard takes for granted.
+constexpr std::string_view implied = "implied";
+
+/// The word of a file, and the sign of drawings: of ISO, and if it differs, of ASME Y14.5.
 struct Sign {
-  std::string_view word, sign;
+  std::string_view word, iso, asme{};
+
+  [[nodiscard]] constexpr std::string_view sign(bool is_asme) const { return is_asme && !asme.empty() ? asme : iso; }
 };
 
-// Behind a size. ISO 14405-1.
-constexpr std::array size_signs{Sign{"envelope requirement", "(E)"},
-                                Sign{"independency", "(I)"},
+// Behind a size. ISO 14405-1; by ISO 8015 sizes are independent of form, by ASME Y14.5 they have an envelope.
+constexpr std::array size_signs{Sign{"envelope requirement", "(E)", implied},
+                                Sign{"independency", implied, "(I)"},
                                 Sign{"two point size", "(LP)"},
                                 Sign{"local size defined by a sphere", "(LS)"},
                                 Sign{"least squares association criterion", "(GG)"},
@@ -45,34 +51,41 @@ constexpr std::array size_signs{Sign{"envelope requirement", "(E)"},
                                 Sign{"range of sizes", "(SR)"},
                                 Sign{"any cross section", "ACS"},
                                 Sign{"specific fixed cross section", "SCS"},
-                                Sign{"common tolerance", "CT"},
-                                Sign{"continuous feature", "<CF>"},
+                                Sign{"common tolerance", "CT", "<CF>"},
+                                Sign{"continuous feature", "CT", "<CF>"},
                                 Sign{"statistical", "<ST>"},
                                 Sign{"statistical tolerance", "<ST>"},
                                 Sign{"free state condition", "(F)"},
-                                Sign{"minimum", "min."},
-                                Sign{"maximum", "max."}};
+                                Sign{"minimum", "min.", "MIN"},
+                                Sign{"maximum", "max.", "MAX"}};
 
 // In a circle behind a tolerance or a datum. ISO 1101, ISO 2692, ISO 10579.
-constexpr std::array circled_signs{Sign{"maximum material requirement", "M"}, Sign{"least material requirement", "L"},
-                                   Sign{"maximum material condition", "M"},   Sign{"least material condition", "L"},
-                                   Sign{"reciprocity requirement", "R"},      Sign{"free state", "F"},
-                                   Sign{"free state condition", "F"},         Sign{"tangent plane", "T"},
-                                   Sign{"regardless of feature size", "S"}};
+constexpr std::array circled_signs{Sign{"maximum material requirement", "M"},
+                                   Sign{"least material requirement", "L"},
+                                   Sign{"maximum material condition", "M"},
+                                   Sign{"least material condition", "L"},
+                                   Sign{"reciprocity requirement", "R"},
+                                   Sign{"free state", "F"},
+                                   Sign{"free state condition", "F"},
+                                   Sign{"tangent plane", "T"},
+                                   Sign{"regardless of feature size", implied, "S"}};
 
 // Without one.
 constexpr std::array plain_signs{Sign{"common zone", "CZ"}, Sign{"separate requirement", "SZ"},
                                  Sign{"not convex", "NC"}, Sign{"statistical tolerance", "<ST>"}};
 
-constexpr std::array signs_above{Sign{"any cross section", "ACS"},  Sign{"line element", "LE"},
-                                 Sign{"each radial element", "LE"}, Sign{"major diameter", "MD"},
-                                 Sign{"minor diameter", "LD"},      Sign{"pitch diameter", "PD"}};
+constexpr std::array signs_above{Sign{"any cross section", "ACS"},
+                                 Sign{"line element", "LE", "EACH ELEMENT"},
+                                 Sign{"each radial element", "LE", "EACH RADIAL ELEMENT"},
+                                 Sign{"major diameter", "MD", "MAJOR DIA"},
+                                 Sign{"minor diameter", "LD", "MINOR DIA"},
+                                 Sign{"pitch diameter", "PD", "PITCH DIA"}};
 
 // Empty if there is none.
 template <std::size_t count>
-std::string sign_of(const std::array<Sign, count>& signs, std::string_view word) {
+std::string sign_of(const std::array<Sign, count>& signs, std::string_view word, bool is_asme) {
   const auto found = std::find_if(signs.begin(), signs.end(), [&](const Sign& one) { return one.word == word; });
-  return found == signs.end() ? std::string() : std::string(found->sign);
+  return found == signs.end() ? std::string() : std::string(found->sign(is_asme));
 }
 
 // Whether fonts have all characters of a file's word.
@@ -127,44 +140,59 @@ std::string write_bounds(scene::DimensionDescription& dimension, const ModelRequ
   return "";
 }
 
-// "0.1/10 M U 0.2": the width or diameter of the zone, and its modifiers. Those that have a place elsewhere stay in
-// `left`.
-scene::FrameCell zone_cell(const ModelRequirement& one, Unit unit, std::vector<std::string>& left) {
+// A number with at least these decimals.
+std::string number_text(double value, int decimals, Unit unit) {
+  std::string text = format_with_zeros(value, std::max(decimals, needed_decimals(value)));
+  if (unit == Unit::in && text.starts_with("0.")) text.erase(0, 1);
+  return text;
+}
+
+// How far the zone reaches out of the material: as ASME says, or for ISO, how far its middle is displaced.
+void add_uneven(scene::FrameCell& cell, double outside, const ModelRequirement& one, const Manner& manner) {
   const double by = written_unit(one);
-  const auto number = [&](double value, int decimals) {
-    std::string text = format_with_zeros(value, std::max(decimals, needed_decimals(value)));
-    if (unit == Unit::in && text.starts_with("0.")) text.erase(0, 1);
-    return text;
-  };
+  if (manner.is_asme) {
+    cell.insert(cell.end(), {{"U", true}, {number_text(outside / by, 0, manner.unit)}});
+    return;
+  }
+  const double offset = outside - one.value / 2;
+  cell.push_back({std::string("UZ ") + (offset < 0 ? "-" : "+") + number_text(std::abs(offset) / by, 0, manner.unit)});
+}
+
+// "0.1/10 M UZ +0.2": the width or diameter of the zone, and its modifiers. Those that have a place elsewhere stay in
+// `left`.
+scene::FrameCell zone_cell(const ModelRequirement& one, const Manner& manner, std::vector<std::string>& left) {
+  const double by = written_unit(one);
+  const auto number = [&](double value, int decimals) { return number_text(value, decimals, manner.unit); };
   const bool is_sphere = one.zone.find("spher") != std::string::npos;
   const bool is_round = is_sphere || one.zone.find("cylind") != std::string::npos || one.zone == "within a circle";
   std::string width = (is_sphere ? "S⌀" : is_round ? "⌀" : "") + number(one.value / by, one.decimals);
   scene::FrameCell cell(1);
   for (const std::string& word : items_of(one.modifiers, ", ")) {
-    const auto length = [&](std::string_view before) -> std::string {
-      if (!word.starts_with(before) || !word.ends_with(" mm")) return "";
-      const auto mm = parse_number(std::string_view(word).substr(before.size(), word.size() - before.size() - 3));
-      return mm ? number(*mm / by, 0) : "";
+    const auto length = [&](std::string_view before) -> std::optional<double> {
+      if (!word.starts_with(before) || !word.ends_with(" mm")) return std::nullopt;
+      return parse_number(std::string_view(word).substr(before.size(), word.size() - before.size() - 3));
     };
-    if (const std::string sign = sign_of(circled_signs, word); !sign.empty())
+    if (const std::string sign = sign_of(circled_signs, word, manner.is_asme); sign == implied)
+      continue;
+    else if (!sign.empty())
       cell.push_back({sign, true});
-    else if (const std::string plain = sign_of(plain_signs, word); !plain.empty())
+    else if (const std::string plain = sign_of(plain_signs, word, manner.is_asme); !plain.empty())
       cell.push_back({plain});
-    else if (const std::string unit_length = length("per unit of "); !unit_length.empty())
-      width += "/" + unit_length;
-    else if (const std::string uneven = length("unequally disposed "); !uneven.empty())
-      cell.insert(cell.end(), {{"U", true}, {uneven}});
-    else if (const std::string most = length("maximum "); !most.empty())
-      cell.push_back({most + " max."});
+    else if (const auto unit_length = length("per unit of "))
+      width += "/" + number(*unit_length / by, 0);
+    else if (const auto outside = length("unequally disposed "))
+      add_uneven(cell, *outside, one, manner);
+    else if (const auto most = length("maximum "))
+      cell.push_back({number(*most / by, 0) + (manner.is_asme ? " MAX" : " max.")});
     else
       left.push_back(word);
   }
-  cell.front().text = width + unit_behind(one, unit);
+  cell.front().text = width + unit_behind(one, manner.unit);
   return cell;
 }
 
 // A datum of a frame: "B-C (maximum material requirement)".
-std::string write_datum(scene::ToleranceFrame& frame, std::string_view text) {
+std::string write_datum(scene::ToleranceFrame& frame, std::string_view text, bool is_asme) {
   const std::size_t bracket = std::min(text.find(" ("), text.size());
   const std::string letters(text.substr(0, bracket));
   scene::FrameCell& cell = frame.datums.emplace_back();
@@ -173,8 +201,9 @@ std::string write_datum(scene::ToleranceFrame& frame, std::string_view text) {
   if (letters.find('?') != std::string::npos || !is_plain(letters)) return "a datum that it refers to is not read";
   if (bracket == text.size()) return "";
   for (const std::string& word : items_of(text.substr(bracket + 2, text.size() - bracket - 3), ", ")) {
-    const std::string sign = sign_of(circled_signs, word);
+    const std::string sign = sign_of(circled_signs, word, is_asme);
     if (sign.empty()) return no_sign_for(word);
+    if (sign == implied) continue;
     cell.push_back({sign, true});
   }
   return "";
@@ -184,7 +213,8 @@ std::string write_datum(scene::ToleranceFrame& frame, std::string_view text) {
 
 template <std::size_t count>
 std::string word_of(const std::array<Sign, count>& signs, std::string_view sign) {
-  const auto found = std::find_if(signs.begin(), signs.end(), [&](const Sign& one) { return one.sign == sign; });
+  const auto found =
+      std::find_if(signs.begin(), signs.end(), [&](const Sign& one) { return one.iso == sign || one.asme == sign; });
   return found == signs.end() ? std::string() : std::string(found->word);
 }
 
@@ -264,17 +294,18 @@ importer::ModelRequirement requirement_of(const scene::RequirementDescription& w
   return one;
 }
 
-std::string write_value(scene::DimensionDescription& dimension, const ModelRequirement& one, Unit unit) {
+std::string write_value(scene::DimensionDescription& dimension, const ModelRequirement& one, const Manner& manner) {
   const double written = one.value / written_unit(one);
   if (std::isfinite(written))
     dimension.stated = scene::StatedValue{written, std::max(one.decimals, needed_decimals(written))};
   if (one.bounds != RequirementBounds::none)
     if (const std::string why = write_bounds(dimension, one); !why.empty()) return why;
-  std::string before, after = (one.fit.empty() ? "" : " " + one.fit) + unit_behind(one, unit);
+  std::string before, after = (one.fit.empty() ? "" : " " + one.fit) + unit_behind(one, manner.unit);
   if (!is_plain(one.fit)) return no_sign_for(one.fit);
   bool is_auxiliary = false;
   for (const std::string& word : items_of(one.modifiers, ", ")) {
-    const std::string sign = sign_of(size_signs, word);
+    const std::string sign = sign_of(size_signs, word, manner.is_asme);
+    if (sign == implied) continue;
     if (word == "theoretical" || word == "basic")
       dimension.is_exact = true;
     else if (word == "auxiliary" || word == "reference")
@@ -293,7 +324,7 @@ std::string write_value(scene::DimensionDescription& dimension, const ModelRequi
   return "";
 }
 
-std::string write_frame(scene::ToleranceFrame& frame, const ModelRequirement& one, Unit unit) {
+std::string write_frame(scene::ToleranceFrame& frame, const ModelRequirement& one, const Manner& manner) {
   std::string name = one.type == "coaxiality"        ? "concentricity"
                      : one.type == "circular runout" ? "circular-run-out"
                      : one.type == "total runout"    ? "total-run-out"
@@ -305,11 +336,11 @@ std::string write_frame(scene::ToleranceFrame& frame, const ModelRequirement& on
   if (!std::isfinite(one.value) || one.value < 0) return "the file gives its zone no width";
   frame.characteristic = row->characteristic;
   std::vector<std::string> words;
-  frame.zone = zone_cell(one, unit, words);
+  frame.zone = zone_cell(one, manner, words);
   for (const std::string& datum : items_of(one.datums, " | "))
-    if (const std::string why = write_datum(frame, datum); !why.empty()) return why;
+    if (const std::string why = write_datum(frame, datum, manner.is_asme); !why.empty()) return why;
   for (const std::string& word : words) {
-    const std::string sign = sign_of(signs_above, word);
+    const std::string sign = sign_of(signs_above, word, manner.is_asme);
     if (!is_plain(word)) return no_sign_for(word);
     if (word == "all around")
       frame.all_around = true;
@@ -317,6 +348,34 @@ std::string write_frame(scene::ToleranceFrame& frame, const ModelRequirement& on
       add_above(frame, sign.empty() ? word : sign);
   }
   return "";
+}
+
+scene::DatumTarget target_of(const ModelRequirement& one, bool with_size, const Manner& manner) {
+  constexpr int digits = 6;
+  scene::DatumTarget target{one.datums};
+  target.is_round = one.zone.find("circle") != std::string::npos;
+  const auto number = [&](const std::array<double, 3>& half) {
+    const double size = 2 * std::hypot(half[0], half[1], half[2]) / scene::millimetres(manner.unit);
+    const auto rounded = parse_number(format_rounded(size, digits));
+    return size > 0 ? number_text(rounded.value_or(size), 0, manner.unit) : std::string();
+  };
+  if (!with_size || one.area.size() < 3) return target;
+  const std::string length = number(one.area[1]), width = number(one.area[2]);
+  target.size = target.is_round ? "⌀" + length : width.empty() ? length : length + "×" + width;
+  if (length.empty()) target.size.clear();
+  return target;
+}
+
+scene::NoteText note_of(const ModelRequirement& one) {
+  constexpr std::size_t widest = 40;  // characters
+  scene::NoteText note;
+  for (const std::string_view word : split(one.text, ' ')) {
+    if (note.lines.empty() || note.lines.back().size() + word.size() >= widest)
+      note.lines.emplace_back(word);
+    else
+      note.lines.back().append(" ").append(word);
+  }
+  return note;
 }
 
 void add_above(scene::ToleranceFrame& frame, const std::string& words) { append_to_list(frame.above, words); }

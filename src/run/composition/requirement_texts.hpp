@@ -9,14 +9,27 @@
 
 namespace epura::pipeline {
 
+/// How a sheet is written.
+struct Manner {
+  Unit unit = Unit::mm;  ///< of dimensions
+  bool is_asme = false;  ///< in the signs of ASME Y14.5, not ISO
+};
+
 /// Writes the value, tolerance and modifiers of a requirement into a dimension, with the digits of the file: numbers in
-/// another unit than `unit`, that of the sheet, have their unit behind them. Returns why that is not possible; empty if
-/// it is done.
+/// another unit than that of the sheet have their unit behind them. Returns why that is not possible; empty if it is
+/// done.
 std::string write_value(scene::DimensionDescription& dimension, const importer::ModelRequirement& requirement,
-                        Unit unit);
+                        const Manner& manner);
 
 /// Writes a geometric tolerance into a frame. Returns the same.
-std::string write_frame(scene::ToleranceFrame& frame, const importer::ModelRequirement& requirement, Unit unit);
+std::string write_frame(scene::ToleranceFrame& frame, const importer::ModelRequirement& requirement,
+                        const Manner& manner);
+
+/// A datum target without its place; `with_size`: its size is in the symbol.
+scene::DatumTarget target_of(const importer::ModelRequirement& requirement, bool with_size, const Manner& manner);
+
+/// A note that stands at the end of a leader, in lines of some words.
+scene::NoteText note_of(const importer::ModelRequirement& requirement);
 
 /// What a scene states, as a file would, without its id and faces; numbers are in `unit`, that of the sheets, or in
 /// degrees. Throws Error{input} for texts that are no values.

@@ -2,6 +2,7 @@
 #include "composition/state_requirements.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <iterator>
@@ -12,6 +13,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "composition/annotations.hpp"
 #include "composition/requirement_texts.hpp"
 #include "composition/requirement_words.hpp"
 #include "composition/stated_symbols.hpp"
@@ -65,9 +67,11 @@ bool gives_value(const ModelRequirement& one) {
 // Why it cannot be drawn wherever it stands. A value that the file lacks is that of the model.
 std::optional<std::string> why_unknown(const ModelRequirement& one) {
   if (!one.missing.empty() && (one.missing != no_value || one.faces.empty())) return "not read: " + one.missing;
-  if (one.faces.empty()) return "it belongs to no face of the model";
+  if (one.faces.empty() && one.kind != RequirementKind::note) return "it belongs to no face of the model";
   return std::nullopt;
 }
+
+Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
 bool is_target(const ModelRequirement& one) { return one.type == "datum target"; }
 
@@ -104,6 +108,8 @@ class Statement {
       std::erase_if(stack, [this](std::size_t i) { return !is_open(i); });
       if (!stack.empty()) add_frame(stack);
     }
+    for (std::size_t i = 0; i < file_.all.size(); ++i)
+      if (file_.all[i].kind == RequirementKind::note && is_open(i)) add_note(i);
   }
 
  private:
@@ -219,16 +225,77 @@ class Statement {
       return;
     }
     if (!is_placed) {
-      why = "no orthographic view of the sheet shows a line of its faces: add a view or a section";
+      why = line_not_seen;
       return;
     }
     set_drawn(i, *callout.view);
     letters_.insert(one.datums);
     for (const std::size_t target : targets) {
+      if (add_target(target)) continue;
       callout.requirement += " " + key_of(file_, target);
       set_drawn(target, *callout.view);
       file_.rows[target].why = "as the letter of its datum: its place and size are not drawn";
     }
+    scene_.callouts.push_back(std::move(callout));
+  }
+
+  // Whether a dimension says how large the area of a target is: it is between the corners of that.
+  [[nodiscard]] bool has_dimension(const ModelRequirement& target) const {
+    const Vec3 middle = vector_of(target.area[0]), length = vector_of(target.area[1]),
+               width = vector_of(target.area[2]);
+    const auto is_corner = [&](const Vec3& point) {
+      const Vec3 off = point - middle;
+      const auto is_end = [&](const Vec3& half) {
+        return features::are_same(std::abs(glm::dot(off, half)), glm::dot(half, half));
+      };
+      return is_end(length) && is_end(width);
+    };
+    return std::any_of(file_.all.begin(), file_.all.end(), [&](const ModelRequirement& one) {
+      return one.kind == RequirementKind::dimension && !one.lines.empty() && one.faces == target.faces &&
+             std::all_of(one.lines.begin(), one.lines.end(), [&](const std::array<double, 6>& line) {
+               return is_corner({line[0], line[1], line[2]}) && is_corner({line[3], line[4], line[5]});
+             });
+    });
+  }
+
+  // The area of a target, with its symbol, in a view that shows it true. Returns whether there is one.
+  bool add_target(std::size_t i) {
+    const ModelRequirement& one = file_.all[i];
+    if (one.area.size() != 3 || one.faces.empty()) return false;
+    const auto half = [&](std::size_t k) {
+      return subject_.placed(vector_of(one.area[0]) + vector_of(one.area[k])) - subject_.placed(vector_of(one.area[0]));
+    };
+    scene::DatumTarget target = target_of(one, !has_dimension(one), subject_.manner);
+    target.middle = subject_.placed(vector_of(one.area[0]));
+    target.half_length = half(1);
+    target.half_width = half(2);
+    scene::CalloutDescription callout;
+    callout.where = where(i);
+    callout.requirement = key_of(file_, i);
+    if (!places_.place_in_area(callout, one.faces, target.middle)) return false;
+    callout.content = std::move(target);
+    set_drawn(i, *callout.view);
+    scene_.callouts.push_back(std::move(callout));
+    return true;
+  }
+
+  // One of the whole part stands among the notes of the sheet.
+  void add_note(std::size_t i) {
+    const ModelRequirement& one = file_.all[i];
+    scene::CalloutDescription callout;
+    callout.where = where(i);
+    callout.requirement = key_of(file_, i);
+    if (one.faces.empty()) {
+      callout.content = scene::NoteText{{one.text}};
+      callout.sheet = {sheet_, callout.where};
+    } else {
+      callout.content = note_of(one);
+      if (!places_.place(callout, one.faces, SymbolPlaces::Ends::anything)) {
+        file_.rows[i].why = not_seen;
+        return;
+      }
+    }
+    set_drawn(i, callout.view.value_or(""));
     scene_.callouts.push_back(std::move(callout));
   }
 
@@ -288,6 +355,58 @@ class Statement {
   std::map<std::string, std::vector<std::size_t>> targets_{};
   std::set<std::string> letters_{};  ///< of the datums on the sheets
 };
+
+// The six directions along the axes, by the names of the views from there.
+std::vector<FaceView> principal_views(const world::World& world) {
+  struct Direction {
+    const char* name;
+    Vec3 right, up;
+  };
+  const std::array<Direction, 6> directions{{{"front", {1, 0, 0}, {0, 0, 1}},
+                                             {"top", {1, 0, 0}, {0, 1, 0}},
+                                             {"left", {0, -1, 0}, {0, 0, 1}},
+                                             {"right", {0, 1, 0}, {0, 0, 1}},
+                                             {"bottom", {1, 0, 0}, {0, -1, 0}},
+                                             {"back", {-1, 0, 0}, {0, 0, 1}}}};
+  std::vector<FaceView> views;
+  for (const Direction& one : directions) {
+    projection::Projection seen;
+    seen.u = one.right;
+    seen.v = one.up;
+    seen.n = seen.projector = glm::cross(one.right, one.up);
+    views.emplace_back(one.name, seen, world);
+  }
+  return views;
+}
+
+// For what no view of the sheet shows: those that would show it, the one that shows most first.
+void propose_views(const scene::SceneDescription& scene, FileRequirements& file, const RequirementSubject& subject) {
+  const auto is_unseen = [](const report::RequirementRow& row) {
+    return row.is_missing() && (row.why == not_seen || row.why == line_not_seen);
+  };
+  if (std::none_of(file.rows.begin(), file.rows.end(), is_unseen)) return;
+  std::vector<std::pair<std::string, std::vector<std::size_t>>> shown;
+  for (const FaceView& view : principal_views(subject.world)) {
+    scene::SceneDescription other = scene;
+    FileRequirements seen = file;
+    const std::span<const FaceView> alone(&view, 1);
+    Statement(other, seen, {subject.world, subject.model, subject.part, subject.triangles, alone, subject.manner}, 1)
+        .add_all();
+    std::vector<std::size_t>& rows = shown.emplace_back(view.name(), std::vector<std::size_t>()).second;
+    for (std::size_t i = 0; i < file.rows.size(); ++i)
+      if (is_unseen(file.rows[i]) && seen.rows[i].is_drawn()) rows.push_back(i);
+  }
+  const auto fewer = [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); };
+  while (true) {
+    const auto most = std::max_element(shown.begin(), shown.end(), fewer);
+    if (most->second.empty()) return;
+    for (const std::size_t i : most->second) {
+      std::string& why = file.rows[i].why;
+      why = why.substr(0, why.find(':')) + ": add the view '" + most->first + "'";
+    }
+    for (auto& [name, rows] : shown) std::erase_if(rows, [&](std::size_t i) { return !is_unseen(file.rows[i]); });
+  }
+}
 
 using RowsByKey = std::multimap<std::string, report::RequirementRow*, std::less<>>;
 
@@ -357,14 +476,16 @@ void state_requirements(scene::SceneDescription& scene, std::vector<FileRequirem
   if (std::none_of(files.begin(), files.end(), is_open)) return;
   const std::vector<FaceView> views = views_for_requirements(sheet);
   const world::World& world = sheet.worlds.main();
-  const Unit unit = scene.sheets[static_cast<std::size_t>(sheet.views.sheet)].dimension_unit.value_or(Unit::mm);
+  const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.views.sheet)];
+  const Manner manner{description.dimension_unit.value_or(Unit::mm), follows_asme(description)};
   for (FileRequirements& file : files) {
     const world::Placed& placed = world.models[static_cast<std::size_t>(file.model)];
     const auto part = file.part != nullptr && placed.part == file.part ? world::place_part(placed) : std::nullopt;
     if (part) {
       const TrianglesByFace triangles = triangles_by_face(world, static_cast<std::size_t>(file.model));
-      const RequirementSubject subject{world, file.model, *part, triangles, views, unit};
+      const RequirementSubject subject{world, file.model, *part, triangles, views, manner};
       Statement(scene, file, subject, sheet.views.sheet + 1).add_all();
+      propose_views(scene, file, subject);
       continue;
     }
     for (report::RequirementRow& row : file.rows)

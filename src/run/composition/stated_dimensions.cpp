@@ -11,7 +11,6 @@
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
 #include "base/text.hpp"
-#include "composition/requirement_texts.hpp"
 #include "composition/requirement_words.hpp"
 #include "features/tolerances.hpp"
 #include "sizes/equal_features.hpp"
@@ -86,7 +85,7 @@ StatedDimension disagreement(double measured, const ModelRequirement& one) {
 StatedDimension written(scene::DimensionDescription dimension, const ModelRequirement& one,
                         const RequirementSubject& subject, bool is_straight) {
   const std::string before = dimension.text.value_or("");
-  if (const std::string why = write_value(dimension, one, subject.unit); !why.empty()) return refusal(why);
+  if (const std::string why = write_value(dimension, one, subject.manner); !why.empty()) return refusal(why);
   dimension.text.value = before + *dimension.text;
   return {std::move(dimension), "", is_straight};
 }
@@ -219,8 +218,52 @@ void anchor_length(scene::DimensionDescription& dimension, const std::array<Leng
   dimension.opposite = {farthest(ends[0], -side), farthest(ends[1], -side)};
 }
 
+// Straight lines on faces, and the direction of their distance; of one line alone, its ends and its own direction.
+std::optional<std::pair<std::array<LengthEnd, 2>, Vec3>> lines_of(const ModelRequirement& one,
+                                                                  const RequirementSubject& subject) {
+  const auto at = [&](const std::array<double, 6>& line, std::size_t from) {
+    return subject.placed({line[from], line[from + 1], line[from + 2]});
+  };
+  std::array<LengthEnd, 2> ends;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    const Vec3 from = at(one.lines[i], 0), to = at(one.lines[i], 3);
+    if (!(glm::length(to - from) > 0)) return std::nullopt;
+    ends[i] = {false, from, glm::normalize(to - from), {from, to}};
+  }
+  if (one.lines[0] == one.lines[1]) {
+    const std::vector<Vec3> both = ends[0].points;
+    for (std::size_t i = 0; i < ends.size(); ++i) ends[i] = {false, both[i], ends[i].direction, {both[i]}};
+    return std::pair(ends, ends[0].direction);
+  }
+  return std::pair(ends, direction_between(ends[0], ends[1], one));
+}
+
+// In a view that shows their faces true.
+StatedDimension state_between_lines(scene::DimensionDescription dimension, const ModelRequirement& one,
+                                    const RequirementSubject& subject) {
+  const auto lines = lines_of(one, subject);
+  if (!lines || lines->second == Vec3(0)) return refusal("its lines have no distance of this length in one direction");
+  const auto& [ends, direction] = *lines;
+  if (const double measured = std::abs(glm::dot(ends[1].point - ends[0].point, direction)); !agrees(measured, one))
+    return disagreement(measured, one);
+  for (const FaceView& view : subject.views) {
+    const Vec3& n = view.projection().n;
+    const bool is_true = std::all_of(one.faces.begin(), one.faces.end(), [&](int face) {
+      const surfaces::PartSurface& surface = face_of(subject, face).surface;
+      return surface.kind != SurfaceKind::plane || std::abs(glm::dot(surface.axis, n)) >= 1 - max_tilt * max_tilt;
+    });
+    if (!is_true || std::abs(glm::dot(direction, n)) > max_tilt || rank_of(marks_in(view, subject, one.faces)) == 0)
+      continue;
+    dimension.view = {view.name(), dimension.where};
+    anchor_length(dimension, ends, direction, view.projection());
+    return written(std::move(dimension), one, subject, false);
+  }
+  return refusal(not_seen);
+}
+
 StatedDimension state_length(scene::DimensionDescription dimension, const ModelRequirement& one,
                              const RequirementSubject& subject) {
+  if (one.lines.size() == 2) return state_between_lines(std::move(dimension), one, subject);
   const auto places = face_places(one.faces, subject.part);
   if (places.size() != 2)
     return refusal("its faces are at " + std::to_string(places.size()) + (places.size() == 1 ? " place" : " places") +

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "composition/requirement_texts.hpp"
 #include "composition/seen_marks.hpp"
 #include "importer/requirements.hpp"
 #include "scene/description.hpp"
@@ -20,7 +21,12 @@ struct RequirementSubject {
   const world::PlacedPart& part;
   const TrianglesByFace& triangles;
   std::span<const FaceView> views;
-  Unit unit;  ///< of dimensions on the sheet
+  Manner manner;
+
+  /// From the coordinates of its file to the world.
+  [[nodiscard]] Vec3 placed(const Vec3& point) const {
+    return Vec3(world.models[static_cast<std::size_t>(model)].to_world * Vec4(point, 1));
+  }
 };
 
 struct StatedDimension {
@@ -43,5 +49,7 @@ std::vector<Vec3> arc_of(const surfaces::PartFace& face, const std::vector<Vec3>
 
 /// What leaders and dimensions need to be seen.
 inline constexpr const char* not_seen = "no orthographic view of the sheet shows its faces: add a view or a section";
+inline constexpr const char* line_not_seen =
+    "no orthographic view of the sheet shows a line of its faces: add a view or a section";
 
 }  // namespace epura::pipeline

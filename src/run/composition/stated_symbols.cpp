@@ -80,6 +80,23 @@ bool SymbolPlaces::place(scene::CalloutDescription& callout, const std::vector<i
   return true;
 }
 
+bool SymbolPlaces::place_in_area(scene::CalloutDescription& callout, const std::vector<int>& faces,
+                                 const Vec3& point) const {
+  double most = 0;
+  for (const FaceView& view : subject_.views)
+    for (const int face : faces) {
+      const surfaces::PartFace& one = subject_.part.faces[static_cast<std::size_t>(face)];
+      const bool is_plane = one.surface.kind == surfaces::SurfaceKind::plane;
+      if (is_plane && std::abs(glm::dot(one.surface.axis, view.projection().n)) < 1 - max_tilt * max_tilt) continue;
+      const std::vector<SeenMark> marks = view.marks_on({subject_.model, face}, one);
+      if (marks.empty() || marks.front().worth <= most) continue;
+      most = marks.front().worth;
+      callout.view = {view.name(), callout.where};
+    }
+  if (most > 0) callout.to = {scene::LeaderTarget(scene::Anchor(point)), callout.where};
+  return most > 0;
+}
+
 std::vector<std::vector<std::size_t>> stacks_of(const std::vector<ModelRequirement>& all) {
   std::vector<std::vector<std::size_t>> stacks;
   std::map<std::vector<int>, std::size_t> by_faces;
@@ -109,7 +126,7 @@ scene::ToleranceFrame frame_of(const std::vector<ModelRequirement>& all, std::ve
   std::vector<std::size_t> written;
   for (const std::size_t i : stack) {
     scene::ToleranceFrame frame;
-    if (std::string why = write_frame(frame, all[i], subject.unit); !why.empty()) {
+    if (std::string why = write_frame(frame, all[i], subject.manner); !why.empty()) {
       refused.emplace_back(i, std::move(why));
       continue;
     }

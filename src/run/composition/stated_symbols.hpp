@@ -26,6 +26,9 @@ class SymbolPlaces {
   /// Returns whether there is a place. Sets the view, and the dimension or the end of the leader.
   bool place(scene::CalloutDescription& callout, const std::vector<int>& faces, Ends ends);
 
+  /// The same at a point of an area on these faces, in a view that shows the area true.
+  bool place_in_area(scene::CalloutDescription& callout, const std::vector<int>& faces, const Vec3& point) const;
+
  private:
   struct Attachment {
     std::string dimension, view;

@@ -18,6 +18,7 @@ namespace {
 
 // In heights of capitals.
 constexpr double frame_height = 2, padding = 0.5, between = 0.3, circle_radius = 0.75;
+constexpr double target_radius = 2;
 constexpr double symbol_unit = 0.085;  // of the numbers of symbols
 constexpr double above_frame = 0.4;    // between a frame and the text above it
 constexpr double line_step = 1.5;
@@ -69,7 +70,7 @@ class SymbolReader {
 std::string with_own_signs(std::string text, const DimensionStyle& style) {
   if (!style.lettering.covers("⌀"))
     if (const std::size_t at = text.find("⌀"); at != std::string::npos) text.replace(at, std::string("⌀").size(), "Ø");
-  return with_decimal_sign(std::move(text), style.notation.sign);
+  return with_decimal_sign(with_repeats(std::move(text), style.notation), style.notation.sign);
 }
 
 double width_of_symbol(const scene::FramePiece& piece, const DimensionStyle& style) {
@@ -223,6 +224,35 @@ Callout datum_frame(const scene::DatumFeature& datum, const DimensionStyle& styl
   callout.size = {width, height};
   callout.strokes.push_back(outline({{0, 0}, callout.size}));
   callout.texts.push_back({datum.letter, {width / 2, h / 2}, h, 0, Align::middle, "tolerance"});
+  return callout;
+}
+
+double height_of(const scene::DatumTarget&) { return 2 * target_radius; }
+
+Callout target_symbol(const scene::DatumTarget& target, const DimensionStyle& style) {
+  const double h = style.text, radius = target_radius * h;
+  const std::string size = with_own_signs(target.size, style);
+  const Vec2 centre(radius, radius);
+  Callout callout;
+  callout.form = LeaderForm::landing;
+  callout.attach = radius;
+  callout.size = {2 * radius, 2 * radius};
+  callout.area = target;
+  callout.strokes.push_back(circle_at(centre, radius));
+  callout.strokes.push_back(line({0, radius}, {2 * radius, radius}));
+  const double below = radius - (1 + between) * h, above = radius + between * h;
+  callout.texts.push_back({target.label, {radius, below}, h, 0, Align::middle, "tolerance"});
+  check(below >= 0 && radius > 0, "a label is within its circle");
+  if (size.empty()) return callout;
+  // The upper corners of the text are within the circle, or it stands beside it.
+  const double width = style.lettering.width(size, h), rise = above + h - radius;
+  if (rise * rise + width * width / 4 <= radius * radius) {
+    callout.texts.push_back({size, {radius, above}, h, 0, Align::middle, "tolerance"});
+    return callout;
+  }
+  const double left = 2 * radius + padding * h;
+  callout.texts.push_back({size, {left, above}, h, 0, Align::left, "tolerance"});
+  callout.size.x = left + width;
   return callout;
 }
 

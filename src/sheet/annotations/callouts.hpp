@@ -39,11 +39,12 @@ struct Callout {
   std::vector<ToleranceObject> tolerances{};  ///< their ink is that of the callout
   Vec2 size{0, 0};
   LeaderForm form = LeaderForm::reference;
-  double attach = 0;                      ///< height at which a landing meets it
-  std::optional<CalloutTarget> target{};  ///< without one, it has no leader
-  std::vector<CalloutTarget> others{};    ///< where the leader may end instead
-  std::optional<Vec2> at{};               ///< its upper left corner, if that is given
-  bool all_around = false;                ///< a circle at the bend of its leader
+  double attach = 0;                         ///< height at which a landing meets it
+  std::optional<CalloutTarget> target{};     ///< without one, it has no leader
+  std::vector<CalloutTarget> others{};       ///< where the leader may end instead
+  std::optional<Vec2> at{};                  ///< its upper left corner, if that is given
+  bool all_around = false;                   ///< a circle at the bend of its leader
+  std::optional<scene::DatumTarget> area{};  ///< that it means
 };
 
 /// The layers of a view with callouts: leaders with texts, and the lines of symbols.

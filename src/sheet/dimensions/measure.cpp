@@ -54,19 +54,20 @@ DimensionText with_text(const AnchoredDimension& dimension, MeasuredValue measur
   value.framed = dimension.is_exact;
   if (dimension.text.empty()) return value;
   constexpr std::string_view sign = "<>";
+  const std::string pattern = with_repeats(dimension.text, notation);
   DimensionText text;
   std::size_t begin = 0, at = 0;
-  while ((at = dimension.text.find(sign, begin)) != std::string::npos) {
-    text.add(dimension.text.substr(begin, at - begin));
+  while ((at = pattern.find(sign, begin)) != std::string::npos) {
+    text.add(pattern.substr(begin, at - begin));
     text.add(value);
     begin = at + sign.size();
   }
   if (begin == 0 && dimension.tolerance)
     refuse_measure(dimension, "the text has no value for the tolerance",
                    "write <> where the value belongs, or omit the text");
-  text.add(dimension.text.substr(begin));
+  text.add(pattern.substr(begin));
   text.framed = dimension.is_exact;
-  check(begin <= dimension.text.size(), "what follows the value is the rest of the text");
+  check(begin <= pattern.size(), "what follows the value is the rest of the text");
   return text;
 }
 

@@ -135,16 +135,16 @@ struct SizeCount {
 struct RequirementRow {
   std::string model;       ///< its name in dimensions
   std::string id;          ///< in the file
-  std::string kind;        ///< "dimension", "tolerance" or "datum"
+  std::string kind;        ///< "dimension", "tolerance", "datum" or "note"
   std::string what;        ///< in words
-  std::string view{};      ///< that shows it; empty: none does
-  int sheet = 0;           ///< from 1; 0: none
+  std::string view{};      ///< that shows it; empty: none does, or it belongs to the sheet
+  int sheet = 0;           ///< from 1; 0: none shows it
   std::string zone{};      ///< field of its frame, as "B4"; empty: none
   int characteristic = 0;  ///< its number in an inspection; 0: it is not measured
   std::string why{};       ///< it is not drawn, or not all of it
   bool wanted = true;      ///< the sheets are to show it
 
-  [[nodiscard]] bool is_drawn() const { return !view.empty(); }
+  [[nodiscard]] bool is_drawn() const { return sheet > 0; }
   /// Whether the drawing lacks it.
   [[nodiscard]] bool is_missing() const { return wanted && !is_drawn(); }
 };

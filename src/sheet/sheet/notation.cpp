@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "base/text.hpp"
 #include "scene/choices.hpp"
@@ -32,6 +33,13 @@ double without_tie(double value, int decimals) {
 std::string with_decimal_sign(std::string number, DecimalSign sign) {
   if (sign == DecimalSign::comma) std::replace(number.begin(), number.end(), '.', ',');
   return number;
+}
+
+std::string with_repeats(std::string text, const Notation& notation) {
+  constexpr std::string_view times = "× ";
+  for (std::size_t at = 0; notation.is_asme && (at = text.find(times, at)) != std::string::npos; ++at)
+    if (at > 0 && '0' <= text[at - 1] && text[at - 1] <= '9') text.replace(at, times.size() - 1, "X");
+  return text;
 }
 
 std::string length_text(double millimetres, const Notation& notation) {

@@ -11,12 +11,16 @@ struct Notation {
   int decimals = 2;      ///< of lengths: at most; in inches: exactly
   Unit unit = Unit::mm;  ///< of lengths
   DecimalSign sign = DecimalSign::point;
+  bool is_asme = false;    ///< signs of ASME Y14.5 where ISO has others
   std::string diameter{};  ///< sign before diameters
   std::string arc{};       ///< sign before lengths of arcs
 };
 
 /// The number with the decimal sign; `number` has a point or none.
 std::string with_decimal_sign(std::string number, DecimalSign sign);
+
+/// "4× ⌀8" in the signs of the standard: "4X ⌀8" in ASME Y14.5, 1.9.5.
+std::string with_repeats(std::string text, const Notation& notation);
 
 /// A length of the world, given in millimetres. In mm and m without trailing zeros ("12.5"); in inches with all
 /// decimals and without a zero before the decimal sign (".500", "1.250"; ASME Y14.5-2018, 4.3.2).

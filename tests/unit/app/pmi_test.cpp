@@ -229,22 +229,6 @@ TEST_F(Pmi, ACompositeToleranceIsOneFrame) {
   EXPECT_EQ(row("#1125")["view"].text, "front");
 }
 
-TEST_F(Pmi, TargetsAreTheLetterOfTheirDatum) {
-  const std::string targets = step_target(1100, "1", {10, 10, 20}) + step_target(1120, "2", {30, 20, 20}) +
-                              "#1140=DATUM('','',#10,.F.,'T');\n#1141=SHAPE_ASPECT_RELATIONSHIP('','',#1100,#1140);\n"
-                              "#1142=SHAPE_ASPECT_RELATIONSHIP('','',#1120,#1140);\n";
-  const Outcome drawn = draw_box(targets);
-  EXPECT_IMPORTER();
-  EXPECT_EQ(drawn.code, 0) << drawn.err;
-  EXPECT_EQ(says("T"), 1);
-  for (const char* id : {"#1100", "#1120"}) {
-    EXPECT_EQ(row(id)["view"].text, row("#1140")["view"].text);
-    EXPECT_EQ(row(id)["reason"].text, "as the letter of its datum: its place and size are not drawn");
-  }
-  EXPECT_EQ(draw_box(targets, {"--pmi", "all", "--views", "isometric"}).code, 1);
-  EXPECT_EQ(row("#1120")["reason"].text, "its datum T is not drawn");
-}
-
 TEST_F(Pmi, ADistanceOfEdgesIsDrawn) {
   const Outcome drawn = draw_box(step_aspect(1000, step_box_edge(4, 6)) + step_aspect(1002, step_box_edge(5, 7)) +
                                  "#1004=DIMENSIONAL_LOCATION('linear distance','',#1000,#1002);\n" +
@@ -417,7 +401,7 @@ TEST_F(Pmi, AFaceThatNoViewShowsIsAReason) {
       epura({"draw", "part.step", "--views", "top,isometric", "--pmi", "all", "-o", "a.json"}, folder_ / "");
   if (contains(drawn.err, "install the package")) GTEST_SKIP() << "there is no importer of STEP";
   EXPECT_EQ(drawn.code, 1);
-  EXPECT_EQ(row("#1004")["reason"].text, "no orthographic view of the sheet shows its faces: add a view or a section");
+  EXPECT_EQ(row("#1004")["reason"].text, "no orthographic view of the sheet shows its faces: add the view 'front'");
 }
 
 }  // namespace
