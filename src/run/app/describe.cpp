@@ -137,6 +137,7 @@ void complete(scene::SceneDescription& scene, const DrawOptions& options) {
 
 std::vector<std::string> inputs_of(const DrawOptions& options, const scene::SceneDescription& scene) {
   std::vector<std::string> files = options.models;
+  if (options.revise.given()) files.push_back(*options.revise);
   for (std::string& model : pipeline::inputs_of(scene)) files.push_back(std::move(model));
   return files;
 }

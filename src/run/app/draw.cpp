@@ -9,6 +9,7 @@
 #include "app/draw_files.hpp"
 #include "app/explain.hpp"
 #include "app/proof.hpp"
+#include "app/revise.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "composition/tell.hpp"
@@ -124,8 +125,10 @@ DrawnFiles draw_within(const DrawOptions& options, const DescribeScene& describe
   const std::vector<pipeline::Target> targets = pipeline::targets_of(options.outputs, options.format);
   expect_outputs(options);
   if (options.vector.proof != output::Proof::none) expect_provable(options, targets);
-  const scene::SceneDescription scene = describe_scene(progress);
+  scene::SceneDescription scene = describe_scene(progress);
   pipeline::refuse_overwriting(pipeline::files_of(targets, scene.sheets.size()), inputs_of(options, scene));
+  Revised revised;
+  if (options.revise.given()) revised = revise(options, scene, messages);
 
   pipeline::RunOptions run = options.run;
   const bool proves = options.vector.proof != output::Proof::none;
@@ -142,6 +145,7 @@ DrawnFiles draw_within(const DrawOptions& options, const DescribeScene& describe
   run.writing_error = pipeline::error_of_writing(targets, vector, run.arcs.has_value());
   if (run.max_error) messages.print(pipeline::sentence_of_choices(*run.max_error, run.arcs.has_value(), vector));
   pipeline::DrawnScene drawn = pipeline::draw_scene(scene, run, {messages, progress, watch});
+  add_clouds(drawn.sheets, revised);
   report::Report& report = drawn.report;
   estimate_savings(report.plan);
   if (options.measure) {

@@ -61,7 +61,9 @@ int draw_each(const DrawOptions& options) {
 int draw(const DrawOptions& options) {
   const bool is_named_after_model = std::any_of(options.outputs.begin(), options.outputs.end(), has_placeholder);
   if (is_named_after_model) return draw_each(options);
-  confine_if_asked(options, {options.models, options.outputs});
+  std::vector<std::string> read = options.models;
+  if (options.revise.given()) read.push_back(*options.revise);
+  confine_if_asked(options, {read, options.outputs});
   return draw_once(options);
 }
 

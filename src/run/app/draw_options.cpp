@@ -117,6 +117,11 @@ scene::Options<Draw> model_file_options() {
                "position of the models, e.g. \"rotate:z,30 translate:0,0,5\"; once for all models, or once for each",
            .repeatable = true},
           &Draw::transforms, scene::transform_steps()),
+      scene::option<Draw>({.flag = "--revise",
+                           .help = "older version of the model or scene: clouds round what differs from it, and a row "
+                                   "in the table of revisions",
+                           .nature = scene::Nature::file},
+                          &Draw::revise, file_name("FILE")),
   };
 }
 

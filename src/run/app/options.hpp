@@ -53,6 +53,7 @@ struct DrawOptions {
   scene::Located<DimensionArrangement> arrangement{};
   std::vector<scene::DimensionDescription> tolerances{};  ///< of automatic dimensions, with `match`
   bool parts_list = false;
+  scene::LocatedText revise{};  ///< an older version of the model, whose differences are marked
   output::VectorOptions vector;
   pipeline::RunOptions run;
   bool timings = false;
