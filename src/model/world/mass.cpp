@@ -5,8 +5,13 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numbers>
+#include <numeric>
+#include <span>
 #include <utility>
+
+#include "base/portable_math.hpp"
 
 namespace epura::world {
 
@@ -105,20 +110,49 @@ bool is_enclosed(const Shell& inner, const Shell& outer, const Corners& corners)
     const auto places = corners.of(triangle);
     const Vec3 a = places[0] - eye, b = places[1] - eye, c = places[2] - eye;
     const double length_a = glm::length(a), length_b = glm::length(b), length_c = glm::length(c);
-    angle += 2 * std::atan2(glm::dot(a, glm::cross(b, c)), length_a * length_b * length_c + glm::dot(a, b) * length_c +
-                                                               glm::dot(b, c) * length_a + glm::dot(c, a) * length_b);
+    angle +=
+        2 * portable_atan2(glm::dot(a, glm::cross(b, c)), length_a * length_b * length_c + glm::dot(a, b) * length_c +
+                                                              glm::dot(b, c) * length_a + glm::dot(c, a) * length_b);
   }
   return std::abs(angle) > 3 * std::numbers::pi;
 }
 
+// For each triangle the first one of its shell: those of one body that edges connect.
+std::vector<int> first_of_shells(const mesh::Mesh& mesh) {
+  std::vector<int> first(static_cast<std::size_t>(mesh.triangle_count()));
+  std::iota(first.begin(), first.end(), 0);
+  const auto root = [&](int t) {
+    while (first[t] != t) t = first[t] = first[first[t]];
+    return t;
+  };
+  for (const mesh::MeshEdge& edge : mesh.edges) {
+    const std::span<const int> triangles = mesh.triangles_of(edge);
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k) {
+        if (mesh.body[triangles[i]] != mesh.body[triangles[k]]) continue;
+        const int one = root(triangles[i]), other = root(triangles[k]);
+        first[std::max(one, other)] = std::min(one, other);
+        break;
+      }
+  }
+  for (int& t : first) t = root(t);
+  return first;
+}
+
 std::vector<Shell> shells_of(const Corners& corners, const Vec3& origin) {
   const mesh::Mesh& mesh = corners.mesh;
+  const std::vector<int> first = first_of_shells(mesh);
   std::vector<Shell> shells;
+  std::vector<int> shell(first.size());  // of each triangle
   for (int t = 0; t < mesh.triangle_count(); ++t) {
-    const int body = mesh.body[static_cast<std::size_t>(t)];
-    while (static_cast<int>(shells.size()) <= body) shells.push_back({{static_cast<int>(shells.size())}, {}});
-    add_triangle(shells[static_cast<std::size_t>(body)], corners.of(t), origin);
-    shells[static_cast<std::size_t>(body)].triangles.push_back(t);
+    if (first[t] == t) {
+      shell[t] = static_cast<int>(shells.size());
+      shells.push_back({{mesh.body[t]}, {}});
+    } else {
+      shell[t] = shell[first[t]];
+    }
+    add_triangle(shells[shell[t]], corners.of(t), origin);
+    shells[shell[t]].triangles.push_back(t);
   }
   return shells;
 }
@@ -128,11 +162,18 @@ void turn(Shell& shell) {
   shell.moment = -shell.moment;
 }
 
+void add(Shell& body, const Shell& other) {
+  body.solid.volume += other.solid.volume;
+  body.solid.area += other.solid.area;
+  body.solid.turned = body.solid.turned || other.solid.turned;
+  body.moment += other.moment;
+  body.box.add(other.box.min);
+  body.box.add(other.box.max);
+}
+
 void subtract(Shell& body, Shell& cavity) {
   if (cavity.solid.volume > 0) turn(cavity);
-  body.solid.volume += cavity.solid.volume;
-  body.solid.area += cavity.solid.area;
-  body.moment += cavity.moment;
+  add(body, cavity);
 }
 
 // Turns all bodies outwards, and subtracts cavities from those that are around them: shells turned the other way round.
@@ -175,16 +216,23 @@ std::vector<Solid> solids_of(const mesh::Mesh& mesh, const Mat4& to_world) {
   const Vec3 origin = box.empty() ? Vec3(0) : box.centre();
   const Corners corners{mesh, to_world};
   std::vector<Shell> shells = shells_of(corners, origin);
-  const std::vector<EdgeFaults> faults = faults_of(mesh, shells.size());
-  for (std::size_t i = 0; i < shells.size(); ++i) shells[i].solid.fault = fault_text(faults[i]);
+  const int bodies = mesh.body.empty() ? 0 : *std::max_element(mesh.body.begin(), mesh.body.end()) + 1;
+  const std::vector<EdgeFaults> faults = faults_of(mesh, static_cast<std::size_t>(bodies));
+  for (Shell& shell : shells) shell.solid.fault = fault_text(faults[shell.solid.body]);
   const std::vector<char> is_cavity = separate(shells, corners);
-  std::vector<Solid> solids;
+  std::map<int, Shell> of_bodies;
   for (std::size_t i = 0; i < shells.size(); ++i) {
     if (is_cavity[i] != 0) continue;
-    Solid& solid = solids.emplace_back(std::move(shells[i].solid));
-    const Vec3 size = shells[i].box.empty() ? Vec3(0) : shells[i].box.size();
+    const int number = shells[i].solid.body;
+    const auto [body, is_first] = of_bodies.try_emplace(number, std::move(shells[i]));
+    if (!is_first) add(body->second, shells[i]);
+  }
+  std::vector<Solid> solids;
+  for (auto& [number, body] : of_bodies) {
+    Solid& solid = solids.emplace_back(std::move(body.solid));
+    const Vec3 size = body.box.empty() ? Vec3(0) : body.box.size();
     if (solid.fault.empty() && !(solid.volume > flat * size.x * size.y * size.z)) solid.fault = "it encloses no volume";
-    if (solid.fault.empty()) solid.centre = origin + shells[i].moment / solid.volume;
+    if (solid.fault.empty()) solid.centre = origin + body.moment / solid.volume;
   }
   return solids;
 }

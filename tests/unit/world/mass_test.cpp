@@ -138,6 +138,19 @@ TEST(Mass, LeavesOutCavitiesOfWhatIsInsideOut) {
   EXPECT_FALSE(found[1].turned);
 }
 
+// As where a program writes a part and its mirrored copy under one name.
+TEST(Mass, OfANamedBodyIsThatOfAllItsShells) {
+  Shape all = box({0, 0, 0}, {3, 2, 2});
+  all.add(inside_out(box({5, 0, 0}, {8, 2, 2})));
+  all.add(cube_with_a_cavity(true).moved(20, 0, 0));
+  mesh::Mesh mesh = mesh_of(all);
+  std::fill(mesh.body.begin(), mesh.body.end(), 0);
+  const auto found = world::solids_of(mesh, scene::parse_transform("scale:1"));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found[0].volume, 12 + 12 + 26, 1e-12);
+  EXPECT_TRUE(found[0].turned);
+}
+
 TEST(Mass, OfWhatIsNotClosedIsRefused) {
   Shape open = tetrahedron(1, 1, 1);
   open.faces.pop_back();
