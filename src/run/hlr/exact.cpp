@@ -244,8 +244,8 @@ class ShapeFollower {
   template <class Take>
   void divide_triangle(std::array<int, 3> c, std::vector<int> m, int split, const Take& take) const {
     const auto turn = [&] {
-      std::ranges::rotate(c, c.begin() + 1);
-      std::ranges::rotate(m, m.begin() + 1);
+      std::rotate(c.begin(), c.begin() + 1, c.end());
+      std::rotate(m.begin(), m.begin() + 1, m.end());
     };
     if (split == 3) {
       for (std::size_t i = 0; i < 3; ++i) take(std::array{c[i], m[i], m[(i + 2) % 3]});
