@@ -142,29 +142,20 @@ class Reader {
   }
 
   void read_overall(const AnchoredDimension& dimension) {
-    const int axis = axis_of(*dimension.direction);
-    const Vec3 along = Mat3(1)[axis];
+    const Vec3 along = Mat3(1)[axis_of(*dimension.direction)];
     std::vector<Row> rows = measured_.lengths(dimension.points[0], dimension.points[1], along);
-    say(rows.empty() && dimension.form == features::ExtentForm::diameter ? widest_rims(dimension, along)
-                                                                         : std::move(rows));
+    if (rows.empty() && dimension.form == features::ExtentForm::diameter) rows = widest_rims(dimension, along);
+    say(std::move(rows));
   }
 
-  // The rims in line whose diameter an overall size is, of cones about an axis across it: it is at no corner of the
-  // part.
+  // The rims in line whose diameter an overall size is, of cones about an axis across it: at no corner of the part.
   [[nodiscard]] std::vector<Row> widest_rims(const AnchoredDimension& dimension, const Vec3& along) const {
-    const Vec3 middle = (dimension.points[0] + dimension.points[1]) / 2.0;
-    const double radius = std::abs(glm::dot(dimension.points[1] - dimension.points[0], along)) / 2;
+    const Vec3 from = dimension.points[0], middle = (from + dimension.points[1]) / 2.0;
     std::vector<Row> rows;
-    for (const definition::Contact& contact : part_.contacts)
-      for (const int face : contact.faces) {
-        const PartSurface& one = surface(face);
-        if (one.kind != SurfaceKind::cone || std::abs(glm::dot(one.axis, along)) > features::parallel) continue;
-        const Vec3 &point = contact.points.front(),
-                   foot = one.origin + glm::dot(point - one.origin, one.axis) * one.axis;
-        if (std::abs(glm::dot(foot - middle, along)) <= slack_ &&
-            std::abs(glm::distance(point, foot) - radius) <= slack_)
-          rows.push_back(measured_.rim({foot, one.axis, radius, {}, true}));
-      }
+    for (const WorldCircle& rim : measured_.rims_of_cones(std::abs(glm::dot(middle - from, along))))
+      if (std::abs(glm::dot(rim.axis, along)) <= features::parallel &&
+          std::abs(glm::dot(rim.centre - middle, along)) <= slack_)
+        rows.push_back(measured_.rim(rim));
     return rows;
   }
 
@@ -411,8 +402,18 @@ class Reader {
     if (dimension.is_label)
       for (const WorldCircle& circle : dimension.circles) say_by_table(circle);
     const bool is_radius = dimension.type == DimensionType::radius;
+    if (repeats > 1) say_equal_rims(dimension.circles.front(), repeats);
     if (is_radius || repeats > 1) say(std::move(equal), is_radius || static_cast<int>(lines.size()) <= repeats);
     if (!dimension.circles.empty()) read_note(dimension);
+  }
+
+  // Of cones along parallel axes, for "3×".
+  void say_equal_rims(const WorldCircle& circle, int repeats) {
+    std::vector<Row> rows;
+    for (const WorldCircle& rim : measured_.rims_of_cones(circle.radius))
+      if (features::are_parallel(rim.axis, circle.axis)) rows.push_back(measured_.rim(rim));
+    const bool is_certain = static_cast<int>(rows.size()) <= repeats;
+    say(std::move(rows), is_certain);
   }
 
   // A table gives places from one end of the models, where a plane or the axis of the whole is.

@@ -208,6 +208,22 @@ Row MeasuredFaces::rim(const WorldCircle& circle) const {
   return definition::diameter(unknowns_, part_, ends);
 }
 
+std::vector<WorldCircle> MeasuredFaces::rims_of_cones(double radius) const {
+  std::vector<WorldCircle> rims;
+  for (const definition::Contact& contact : part_.contacts)
+    for (const int face : contact.faces) {
+      const PartSurface& one = surface(face);
+      if (one.kind != SurfaceKind::cone) continue;
+      const Vec3& point = contact.points.front();
+      const Vec3 foot = one.origin + glm::dot(point - one.origin, one.axis) * one.axis;
+      if (are_alike(glm::distance(point, foot), radius) &&
+          std::none_of(rims.begin(), rims.end(),
+                       [&](const WorldCircle& rim) { return glm::distance(rim.centre, foot) <= slack_; }))
+        rims.push_back({foot, one.axis, radius, {}, true});
+    }
+  return rims;
+}
+
 // A face of which a leg lies in its side, seen along a direction; its axis if the leg is a centre line; two axes if it
 // goes from one to the other.
 Row MeasuredFaces::turn_of_leg(const Vec3& corner, const Vec3& end, const Vec3& sight) const {

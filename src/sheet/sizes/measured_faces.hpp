@@ -25,6 +25,8 @@ class MeasuredFaces {
   [[nodiscard]] std::vector<definition::Row> lengths(const Vec3& from, const Vec3& to, const Vec3& along) const;
   /// The diameter of a circle that faces leave where they meet: the end of a cone, the ring of a torus.
   [[nodiscard]] definition::Row rim(const WorldCircle& circle) const;
+  /// The circles of this radius on paper in which cones end, each once.
+  [[nodiscard]] std::vector<WorldCircle> rims_of_cones(double radius) const;
   /// The turn of a face in whose side a leg of an angle lies, seen along a direction, or of which it is the axis; of
   /// the line between two axes if it goes from one to the other.
   [[nodiscard]] definition::Row turn_of_leg(const Vec3& corner, const Vec3& end, const Vec3& sight) const;
