@@ -543,7 +543,7 @@ TEST(StepImporter, DamagedFilesAreRefusedWithTheReason) {
           " without END-ISO-10303-21");
   EXPECT_EQ(refusal_of(folder.file("b.step", "\xff\xd8\xff\xe0 JFIF")),
             "is not a STEP file: it does not begin with ISO-10303-21");
-  EXPECT_EQ(refusal_of(folder.file("c.step", "")), "the file is empty");
+  EXPECT_EQ(refusal_of(folder.file("c.step", "")), "is empty");
   EXPECT_EQ(refusal_of(folder.file("d.step", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n")),
             "is not a valid STEP file");
   const std::size_t circle = whole.find("= CIRCLE("), line = whole.rfind('\n', circle);

@@ -221,7 +221,7 @@ TEST(ThreeMf, WhatIsWrongWithAnArchiveIsTold) {
   const auto refusal_with = [&](std::string_view bytes) { return refusal_of(folder.file("m.3mf", bytes)); };
   const std::string no_archive = "is not a ZIP archive, as 3MF files are, or is cut short: ";
   EXPECT_TRUE(refusal_with(std::string_view(whole).substr(0, whole.size() / 2)).starts_with(no_archive));
-  EXPECT_TRUE(refusal_with("solid x\nendsolid x\n").starts_with(no_archive));
+  EXPECT_TRUE(refusal_with("no archive, and no mesh\n").starts_with(no_archive));
   std::string damaged = whole;
   damaged[damaged.find("<vertices>") + 3] = 'X';
   EXPECT_EQ(refusal_with(damaged), "'3D/3dmodel.model' in it is damaged: CRC error");
