@@ -137,36 +137,21 @@ struct AngleOfSlope {
   const NamedProjection* view;
 };
 
-/// Equal ones have one dimension, with their number.
-class AnglesOfSlopes {
- public:
-  void add(const AngleOfSlope& one) {
-    const auto is_equal = [&](const std::vector<AngleOfSlope>& group) {
-      const AngleOfSlope& first = group.front();
-      return first.across == one.across && first.view == one.view && are_equal(*first.slope, *one.slope);
-    };
-    const auto group = std::find_if(groups_.begin(), groups_.end(), is_equal);
-    if (group != groups_.end())
-      group->push_back(one);
-    else
-      groups_.push_back({one});
+// Equal ones have one, with their number.
+std::vector<DimensionDescription> dimensions_of_angles(const std::vector<AngleOfSlope>& angles, const Planning& plan) {
+  const auto have_one = [](const AngleOfSlope& a, const AngleOfSlope& b) {
+    return a.across == b.across && a.view == b.view && are_equal(*a.slope, *b.slope);
+  };
+  std::vector<DimensionDescription> dimensions;
+  for (const auto& group : groups_of<AngleOfSlope>(angles, have_one)) {
+    const AngleOfSlope& shown = *group.front();
+    dimensions.push_back(plan.dimension(DimensionType::angular, *shown.view, times(group.size()) + "<>"));
+    for (const Vec3& anchor : anchors_of_angle(*shown.slope, shown.corner, plan.subject.world))
+      dimensions.back().anchors.emplace_back(anchor);
+    check(dimensions.back().anchors.size() == 3, "an angle has a corner and two legs");
   }
-
-  [[nodiscard]] std::vector<DimensionDescription> dimensions(const Planning& plan) const {
-    std::vector<DimensionDescription> dimensions;
-    for (const std::vector<AngleOfSlope>& group : groups_) {
-      const AngleOfSlope& shown = group.front();
-      dimensions.push_back(plan.dimension(DimensionType::angular, *shown.view, times(group.size()) + "<>"));
-      for (const Vec3& anchor : anchors_of_angle(*shown.slope, shown.corner, plan.subject.world))
-        dimensions.back().anchors.emplace_back(anchor);
-      check(dimensions.back().anchors.size() == 3, "an angle has a corner and two legs");
-    }
-    return dimensions;
-  }
-
- private:
-  std::vector<std::vector<AngleOfSlope>> groups_;
-};
+  return dimensions;
+}
 
 }  // namespace
 
@@ -240,7 +225,7 @@ Planned slope_dimensions(const Planning& plan) {
   Planned planned = dimensions_of_chamfers(plan, chamfers);
   std::stable_sort(slopes.begin(), slopes.end(), [](const auto& a, const auto& b) { return a.area > b.area; });
   std::size_t shown = 0;
-  AnglesOfSlopes angles;
+  std::vector<AngleOfSlope> angles;
   for (std::size_t i = 0; i < slopes.size(); ++i) {
     const NamedProjection* view = plan.views.along(Mat3(1)[slopes[i].along]);
     if (view == nullptr || slopes[i].area < min_area(plan.box)) continue;
@@ -250,7 +235,7 @@ Planned slope_dimensions(const Planning& plan) {
     }
     const auto angled = angled_end(slopes[i], plan.subject, plan.table, plan.notation);
     if (const auto corner = corner_of_angle(slopes[i], plan.subject, angled)) {
-      angles.add({&slopes[i], slopes[i].across[*corner], *corner, view});
+      angles.push_back({&slopes[i], slopes[i].across[*corner], *corner, view});
       if (!angled) continue;  // the angle stands for both ends
     }
     for (int axis = 0; axis < 3; ++axis)
@@ -259,7 +244,7 @@ Planned slope_dimensions(const Planning& plan) {
             axis != slopes[i].along && !(angled && angled->end == end && angled->axis == axis))
           planned.places.emplace_back(Coordinate{view, axis, at[axis], at, -1, at});
   }
-  planned.append({angles.dimensions(plan)});
+  planned.append({dimensions_of_angles(angles, plan)});
   return planned;
 }
 
