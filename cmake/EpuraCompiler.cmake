@@ -54,6 +54,18 @@ function(epura_stage name)
   epura_compile_together(epura_${name})
   target_include_directories(epura_${name} PUBLIC ${EPURA_DISTRICTS} ${PROJECT_SOURCE_DIR}/include)
   target_link_libraries(epura_${name} PUBLIC ${STAGE_LINK})
+  # A fifth of the time that a stage takes to compile goes into what nearly every source includes.
+  if(EPURA_UNITY)
+    if(name STREQUAL base)
+      target_precompile_headers(epura_base PRIVATE
+        <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <numbers> <optional> <random> <set> <span> <string>
+        <string_view> <tuple> <utility> <vector> <base/error.hpp> <base/text.hpp> <base/vec.hpp>)
+    else()
+      target_precompile_headers(epura_${name} REUSE_FROM epura_base)
+    endif()
+    # GCC 12 sees overflows in strings that are put together in precompiled headers.
+    target_compile_options(epura_${name} PRIVATE $<$<COMPILE_LANG_AND_ID:CXX,GNU>:-Wno-array-bounds;-Wno-stringop-overflow>)
+  endif()
   # Where nothing is optimized, this would be more.
   if(STAGE_FAST_TO_BUILD AND NOT CMAKE_CXX_FLAGS_RELEASE MATCHES "-O0")
     target_compile_options(epura_${name} PRIVATE -O1)
