@@ -274,6 +274,7 @@ MeasuredDimension diameter_edge_on(const AnchoredDimension& dimension, const Wor
   const Vec3 one = circle.centre - across, other = circle.centre + across;
   MeasuredLength length{sight.page(one), sight.page(other), along, left_of(along)};
   length.value = 2 * circle.radius;
+  length.is_diameter = true;
   if (!halve(length, sight, {sight.whole_page(one), sight.whole_page(other)})) {
     expect_shown(dimension, sight, one);
     expect_shown(dimension, sight, other);

@@ -24,6 +24,7 @@ struct MeasuredLength {
   std::optional<std::array<Vec2, 2>> opposite{};  ///< where they begin if the dimension line is above or on the left
   std::optional<bool> open{};  ///< only one end is shown, as in half views: true if `to` is where the line breaks off
   double value = 0;            ///< in the world, mm
+  bool is_diameter = false;    ///< of a circle seen edge-on: the extension lines begin along its outline
 };
 
 /// Lengths from one place to others along one direction, arranged together. Millimetres on paper.

@@ -12,8 +12,6 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double on_line = 0.1;        // mm, by which what is on a line may be beside it
-constexpr double nearest_lines = 0.7;  // mm between parallel lines. ISO 128-2
 constexpr double size_of_arrow = 3.5;  // mm
 
 std::vector<TurnedBox> boxes_of_leaders(const PlacedDimension& dimension) {

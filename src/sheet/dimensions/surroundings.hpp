@@ -16,6 +16,9 @@
 
 namespace epura::sheet {
 
+inline constexpr double on_line = 0.1;        ///< mm, by which what is on a line may be beside it
+inline constexpr double nearest_lines = 0.7;  ///< mm between parallel lines. ISO 128-2
+
 class InkIndex {
  public:
   explicit InkIndex(const drawing::ViewDrawing& drawing);

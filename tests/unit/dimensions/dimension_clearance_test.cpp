@@ -108,6 +108,37 @@ TEST(DimensionClearance, ShouldersDoNotRunAlongLines) {
   }
 }
 
+// Collars of any size at both ends of a neck, or at one.
+TEST(DimensionClearance, ExtensionLinesOfADiameterDoNotGoThroughThePart) {
+  for (int i = 0; i < 24; ++i) {
+    const double length = 6 + 2 * i, neck = 5 + i % 7, low = neck + 1 + i % 5;
+    const bool is_free = i % 3 == 0;  // above
+    Shape part = cylinder(48, low, 10);
+    part.add(cylinder(48, neck, length).moved(0, 0, 10));
+    part.add(cylinder(48, is_free ? neck - 2 : neck + 2 + i % 4, 8).moved(0, 0, 10 + length));
+    const world::World world = placed(part);
+    const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
+    scene::DimensionDescription note = dimension("diameter", {});
+    note.circle = {Vec3(0, 0, 10), Vec3(0, 0, 1), neck, {}};
+    sheet::Neighbours around;
+    std::vector<sheet::TurnedBox>& boxes = around.boxes;
+    boxes.push_back(sheet::line_box({100, front.box.min.y - 3}, {100, front.box.max.y + 3}));  // the centre line
+    const sheet::DimensionStyle style{sheet::Lettering(), 0.25};
+    const sheet::PlacedLayer placed = sheet::place_dimensions({world, front, {&note, 1}, 1}, style, around);
+    ASSERT_EQ(placed.layer.texts.size(), 1U) << i;
+    const double begin = drawing::position_on_page(front, {0, 0, 10}).y;
+    for (const Vec2& tip : tips(placed.layer)) {
+      EXPECT_NEAR(std::abs(tip.x - 100), neck, 1e-6) << i;
+      if (is_free) {
+        EXPECT_GT(tip.y, front.box.max.y) << i;
+      } else {
+        EXPECT_TRUE(tip.y > begin && tip.y < begin + length) << i;
+      }
+    }
+    EXPECT_EQ(placed.layer.strokes.size(), is_free ? 3U : 1U) << i << ": lines of the outline are extension lines";
+  }
+}
+
 // The room between a dimension line of another view and the top of its text is that dimension's.
 TEST(DimensionClearance, NoTextIsAmongDimensionsOfAnotherView) {
   const world::World world = placed(box({0, 0, 0}, {60, 10, 40}));
