@@ -186,6 +186,20 @@ std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, cons
   return placements;
 }
 
+namespace {
+
+// Whether the text on a leader is on the dimension line or on an extension line.
+bool is_on_own_line(const PlacedDimension& dimension) {
+  return std::any_of(dimension.strokes.begin(), dimension.strokes.end(), [&](const Stroke& stroke) {
+    return stroke.points.size() == 2 &&
+           std::any_of(dimension.text_boxes.begin(), dimension.text_boxes.end(), [&](const TurnedBox& text) {
+             return overlap(text, line_box(stroke.points[0], stroke.points[1]));
+           });
+  });
+}
+
+}  // namespace
+
 std::vector<DimensionPlacement> placements_in_crowd(const MeasuredLength& length, const MeasuredDimension& measured,
                                                     const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
   constexpr int max_of_leader = 8;  // steps
@@ -204,10 +218,12 @@ std::vector<DimensionPlacement> placements_in_crowd(const MeasuredLength& length
         // Steep enough to leave the extension lines of a narrow length to its sides.
         for (const double slope : {1.0, 2.0}) {
           const Vec2 direction = glm::normalize(towards * length.along + slope * out);
-          for (int i = 1; i <= max_of_leader; ++i)
-            placements.push_back(
-                {straight_dimension_with_leader(side.ends, measured.text, distance, step_beside * i * direction, style),
-                 cost + cost_of_leader + cost_of_farther * step_beside * i});
+          for (int i = 1; i <= max_of_leader; ++i) {
+            DimensionPlacement placement{
+                straight_dimension_with_leader(side.ends, measured.text, distance, step_beside * i * direction, style),
+                cost + cost_of_leader + cost_of_farther * step_beside * i};
+            if (!is_on_own_line(placement.dimension)) placements.push_back(std::move(placement));
+          }
         }
       }
     }

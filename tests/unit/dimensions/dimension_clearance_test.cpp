@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "dimensions/forms.hpp"
 #include "dimensions/surroundings.hpp"
 #include "dimensions_support.hpp"
 
@@ -137,6 +138,34 @@ TEST(DimensionClearance, ExtensionLinesOfADiameterDoNotGoThroughThePart) {
     }
     EXPECT_EQ(placed.layer.strokes.size(), is_free ? 3U : 1U) << i << ": lines of the outline are extension lines";
   }
+}
+
+// Of lengths in any direction, narrow ones and those wider than their text.
+TEST(DimensionClearance, TextsOnLeadersAreBesideTheirOwnLines) {
+  const world::World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
+  const sheet::Lettering lettering;
+  const sheet::DimensionStyle style{lettering, 0.25};
+  std::size_t count = 0;
+  for (int i = 0; i < 24; ++i) {
+    const double angle = i % 4 * std::numbers::pi / 8, size = 1 + 1.5 * i;
+    scene::DimensionDescription one = dimension("aligned", {});
+    one.anchors = {Vec3(20, 0, 10), Vec3(20 + size * std::cos(angle), 0, 10 + size * std::sin(angle))};
+    const sheet::MeasuredDimension measured =
+        sheet::measure(front, sheet::find_anchors(world, {&one, 1})[0], style.notation);
+    for (const sheet::DimensionPlacement& place :
+         sheet::placements_in_crowd(std::get<sheet::MeasuredLength>(measured.form), measured, front, style)) {
+      if (place.dimension.leaders.empty()) continue;
+      ++count;
+      for (const sheet::Stroke& stroke : place.dimension.strokes)
+        if (stroke.points.size() == 2) {
+          EXPECT_FALSE(
+              sheet::overlap(place.dimension.text_boxes.at(0), sheet::line_box(stroke.points[0], stroke.points[1])))
+              << size << " at " << i % 4 * 22.5;
+        }
+    }
+  }
+  EXPECT_GT(count, 1000U);
 }
 
 // The room between a dimension line of another view and the top of its text is that dimension's.
