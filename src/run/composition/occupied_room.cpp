@@ -122,14 +122,20 @@ void add_centre_lines(std::vector<sheet::TurnedBox>& boxes, const ViewResult& vi
   constexpr double past = 3;  // mm
   const drawing::ViewDrawing& drawing = view.drawing;
   const auto page = [&drawing](const Vec3& p) { return drawing::position_on_page(drawing, p); };
+  const auto is_seen_along = [&drawing](const Vec3& axis) {
+    return glm::length(glm::cross(axis, drawing.projection.n)) <= 1e-6;
+  };
   const auto add = [&](const features::CentredRound& round) {
     const Vec2 from = page(round.rings.front().centre), to = page(round.rings.back().centre);
     double radius = 0;
     for (const features::Ring& ring : round.rings) radius = std::max(radius, ring.radius);
-    const double reach = radius * drawing.scale + past, length = glm::length(to - from);
-    if (length > past) {
-      const Vec2 along = (to - from) / length;
-      boxes.push_back(sheet::line_box(from - past * along, to + past * along));
+    const double reach = radius * drawing.scale + past;
+    // The ends of a disc seen from the side may be nearly one point.
+    const Vec2 apart = to - from, image(drawing.world_to_page * Vec4(round.axis, 0));
+    const Vec2 along = glm::length(apart) > past ? apart : image;
+    if (!is_seen_along(round.axis) && glm::length(along) > 0) {
+      const Vec2 more = (glm::dot(apart, along) < 0 ? -past : past) * glm::normalize(along);
+      boxes.push_back(sheet::line_box(from - more, to + more));
     } else {
       boxes.push_back(sheet::line_box(from - Vec2(reach, 0), from + Vec2(reach, 0)));
       boxes.push_back(sheet::line_box(from - Vec2(0, reach), from + Vec2(0, reach)));
@@ -141,8 +147,7 @@ void add_centre_lines(std::vector<sheet::TurnedBox>& boxes, const ViewResult& vi
     const auto at = [&](int i) {
       return centre + circle.radius * drawing.scale * sheet::turned_to(2 * std::numbers::pi * i / parts);
     };
-    const double tilt = glm::length(glm::cross(circle.axis, drawing.projection.n));
-    for (int i = 0; i < parts && tilt <= 1e-6; ++i) boxes.push_back(sheet::line_box(at(i), at(i + 1)));
+    for (int i = 0; i < parts && is_seen_along(circle.axis); ++i) boxes.push_back(sheet::line_box(at(i), at(i + 1)));
   };
   for (const features::CentredRound& round : view.features.round) add(round);
   for (const features::PitchCircle& circle : view.features.pitch_circles) add_circle(circle);
