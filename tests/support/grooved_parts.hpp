@@ -57,6 +57,25 @@ inline std::vector<KnownPart> plates_with_pockets() {
   return parts;
 }
 
+/// A plate with a rectangular pocket, and a hole in line with one of its walls: the place of the hole is that of the
+/// wall, from which the pocket has its width.
+inline std::vector<KnownPart> pockets_beside_holes() {
+  std::vector<KnownPart> parts;
+  for (int i = 0; i < variants; ++i) {
+    const Vec2 size(80 + i, 40), low(21 + i, 9 + 0.5 * i), pocket(24 + 0.5 * i, 14 + 0.25 * i);
+    const Vec2 hole(low.x + (i % 2 == 0 ? 0 : pocket.x), 63 + 0.25 * i);
+    const double floor = 12 + 0.25 * i;
+    Plate plate(20);
+    plate.cell(square({0, 0}, size), {{square(low, pocket), 20}, {square(low, pocket), floor}});
+    plate.cell(square({0, 40}, size), stepped_hole({{4, 20}, {4, 0}})(hole));
+    parts.push_back({"a pocket beside a hole " + std::to_string(i),
+                     plate.obj(),
+                     {number(size.x), "80", "20", "⌀8", number(hole.x), number(hole.y), number(pocket.x), number(low.y),
+                      number(pocket.y), number(floor)}});
+  }
+  return parts;
+}
+
 /// A plate with a rectangular boss above a wider blind bore, whose walls are inside the circle of the bore.
 inline std::vector<KnownPart> bosses_over_bores() {
   std::vector<KnownPart> parts;

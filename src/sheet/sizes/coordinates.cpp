@@ -179,15 +179,17 @@ std::optional<scene::DimensionDescription> Coordinates::distance_to(const Coordi
   return distance_along(base, coordinate, where);
 }
 
-// The side of its groove or rib that is nearer to the end of the models, if it has a place of its own: the width begins
-// there.
-std::optional<Coordinate> Coordinates::nearer_side(const Coordinate& coordinate) const {
+// The side of its groove or rib at which the width begins, if it has a place of its own: the one in line with the axis
+// of a feature, or else the nearer one to the end of the models.
+std::optional<Coordinate> Coordinates::first_side(const Coordinate& coordinate) const {
+  if (!coordinate.partner) return std::nullopt;
   const double end = datums_[coordinate.axis].at;
-  if (!coordinate.partner || std::abs(*coordinate.partner - end) >= std::abs(coordinate.at - end) - slack_)
-    return std::nullopt;
   const auto side = std::find_if(coordinates_.begin(), coordinates_.end(), [&](const Coordinate& other) {
     return other.axis == coordinate.axis && std::abs(other.at - *coordinate.partner) <= slack_;
   });
+  const bool is_at_feature = side != coordinates_.end() && side->group >= 0;
+  if (!is_at_feature && std::abs(*coordinate.partner - end) >= std::abs(coordinate.at - end) - slack_)
+    return std::nullopt;
   if (side != coordinates_.end() && side->view == coordinate.view) return *side;
   if (side == coordinates_.end() && !is_known(coordinate.axis, *coordinate.partner)) return std::nullopt;
   Coordinate beside = coordinate;
@@ -209,7 +211,7 @@ void Coordinates::add_row(std::vector<Coordinate> row, const std::string& where,
           break;
         }
   std::erase_if(row, [&](const Coordinate& coordinate) {
-    const std::optional<Coordinate> base = coordinate.from ? base_of(coordinate) : nearer_side(coordinate);
+    const std::optional<Coordinate> base = coordinate.from ? base_of(coordinate) : first_side(coordinate);
     if (base) dimensions.push_back(distance_along(*base, coordinate, where));
     return base.has_value();
   });

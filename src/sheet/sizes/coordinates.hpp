@@ -64,7 +64,7 @@ class Coordinates {
 
  private:
   [[nodiscard]] Coordinate base_of(const Coordinate& coordinate) const;
-  [[nodiscard]] std::optional<Coordinate> nearer_side(const Coordinate& coordinate) const;
+  [[nodiscard]] std::optional<Coordinate> first_side(const Coordinate& coordinate) const;
   [[nodiscard]] std::vector<scene::DimensionDescription> arranged(std::span<const Coordinate> coordinates,
                                                                   DimensionArrangement arrangement,
                                                                   const std::string& where) const;

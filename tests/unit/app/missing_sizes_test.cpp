@@ -137,6 +137,7 @@ TEST_F(MissingSizes, OfDimples) { expect_known(plates_with_dimples()); }
 TEST_F(MissingSizes, OfGrooves) { expect_known(blocks_with_grooves()); }
 TEST_F(MissingSizes, OfRibs) { expect_known(bases_with_ribs()); }
 TEST_F(MissingSizes, OfPockets) { expect_known(plates_with_pockets()); }
+TEST_F(MissingSizes, OfPocketsBesideHoles) { expect_known(pockets_beside_holes()); }
 TEST_F(MissingSizes, OfBossesOverBores) { expect_known(bosses_over_bores()); }
 TEST_F(MissingSizes, OfRoundTopsThatAGrooveParts) { expect_known(parted_round_tops()); }
 TEST_F(MissingSizes, OfBossesWithRingGrooves) { expect_known(bosses_with_ring_grooves()); }
