@@ -242,4 +242,59 @@ inline std::vector<KnownPart> wedges_with_pairs() {
   return parts;
 }
 
+/// A hollow pyramid of `n` sides on a round foot, from each of which a hole goes to the axis: its wall `t` thick, its
+/// outer sides at a distance from the origin, their normals up by so many degrees.
+inline std::string pyramid_with_holes(int n, double up, double distance, double t, double hole) {
+  const double height = 14, foot = 6, outside = 60, bore = 5;
+  Model model;
+  const auto at = [](double r, double degrees, double z) { return Vec3(r * cosine(degrees), r * sine(degrees), z); };
+  const auto round = [&](double r, double z, int j) { return at(r, 360.0 * j / (n * k) - 180.0 / n, z); };
+  const auto corner = [&](double off, double z, int side) {
+    return at((off - z * sine(up)) / cosine(up) / cosine(180.0 / n), 360.0 * side / n - 180.0 / n, z);
+  };
+  const auto edge = [&](double off, double z, int j) {
+    const Vec3 from = corner(off, z, j / k), to = corner(off, z, j / k + 1);
+    return from + double(j % k) / k * (to - from);
+  };
+  const auto ring = [&](const auto& a, const auto& b) {
+    for (int j = 0; j < n * k; ++j) model.face({a(j), a(j + 1), b(j + 1), b(j)});
+  };
+  const auto circle_of = [&](double r, double z) { return [&round, r, z](int j) { return round(r, z, j); }; };
+  const auto polygon = [&](double off, double z) { return [&edge, off, z](int j) { return edge(off, z, j); }; };
+  const double inner = distance - t;
+  ring(circle_of(outside, -foot), circle_of(outside, 0));
+  ring(circle_of(outside, 0), polygon(distance, 0));
+  ring(polygon(inner, 0), circle_of(bore, 0));
+  ring(circle_of(bore, 0), circle_of(bore, -foot));
+  ring(circle_of(bore, -foot), circle_of(outside, -foot));
+  ring(polygon(distance, height), polygon(inner, height));
+  for (int side = 0; side < n; ++side) {
+    const double turn = 360.0 * side / n, middle = height / 2;
+    const Vec3 normal = at(cosine(up), turn, sine(up)), aside = at(1, turn + 90, 0), along = glm::cross(normal, aside),
+               centre = at((distance - middle * sine(up)) / cosine(up), turn, middle);
+    const auto outline = [&](double off) {
+      const std::array corners{corner(off, 0, side), corner(off, 0, side + 1), corner(off, height, side + 1),
+                               corner(off, height, side)};
+      std::vector<Vec3> points;
+      for (int i = 0; i < 4 * k; ++i)
+        points.push_back(corners[i / k] + double(i % k) / k * (corners[(i / k + 1) % 4] - corners[i / k]));
+      return points;
+    };
+    const auto rim = [&](double down) {
+      std::vector<Vec3> points;
+      for (const Vec2& p : circle({0, 0}, hole / 2, -135))
+        points.push_back(centre - down * normal + p.x * aside + p.y * along);
+      return points;
+    };
+    const std::vector<Vec3> out = outline(distance), in = outline(inner), mouth = rim(0), end = rim(t);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      const std::size_t j = (i + 1) % out.size();
+      model.face({out[i], out[j], mouth[j], mouth[i]});
+      model.face({mouth[i], mouth[j], end[j], end[i]});
+      model.face({end[i], end[j], in[j], in[i]});
+    }
+  }
+  return model.obj();
+}
+
 }  // namespace epura::test

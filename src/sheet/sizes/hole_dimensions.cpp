@@ -149,6 +149,20 @@ std::pair<const NamedProjection*, const HoleFeature*> view_of_radial(const Plann
   return {view_beside<HoleFeature>(plan.views, holes, mouth_of), holes.front()};
 }
 
+// The angle between the axes of slanted holes and that of the part, in a view that shows both.
+Planned slant_of(const Planning& plan, const RadialPattern& pattern) {
+  Planned planned;
+  for (const HoleFeature* hole : pattern.holes) {
+    const std::array<Vec3, 2> legs = pattern.legs(*hole);
+    const NamedProjection* view = plan.views.along(glm::normalize(glm::cross(legs[0], legs[1])));
+    if (view == nullptr) continue;
+    planned.dimensions.push_back(plan.dimension(DimensionType::angular, *view, times(pattern.holes.size()) + "<>"));
+    planned.dimensions.back().anchors = {pattern.centre, pattern.centre + legs[0], pattern.centre + legs[1]};
+    break;
+  }
+  return planned;
+}
+
 // Whether a section has left nothing of any hole.
 bool is_removed(const HoleGroup& group, const NamedProjection& view) {
   return std::none_of(group.begin(), group.end(), [&](const HoleFeature* hole) {
@@ -170,6 +184,11 @@ Planned radial_hole_dimensions(const Planning& plan) {
     const NamedProjection* across = plan.views.across(pattern.axis, shown->mouth);
     if (axis < 0 || across == nullptr) continue;
     const int group = number_of(plan, pattern.holes.front());
+    if (pattern.is_slanted) {
+      planned.append(slant_of(plan, pattern));
+      planned.places.emplace_back(Coordinate{across, axis, pattern.centre[axis], pattern.centre, group});
+      continue;
+    }
     planned.places.emplace_back(Coordinate{across, axis, shown->mouth[axis], shown->mouth, group, shown->mouth});
     for (const HoleFeature* hole : pattern.holes)
       if (std::abs(hole->mouth[axis] - shown->mouth[axis]) > features::same_size * glm::length(plan.box.size()))

@@ -24,11 +24,23 @@ bool are_equal_apart_from_axes(const HoleFeature& a, const HoleFeature& b) {
   return features::are_equal(a, turned);
 }
 
-// Whether the axis of a hole meets that of a cylinder, perpendicular to it.
+double lean(const HoleFeature& hole, const features::CylinderFeature& cylinder) {
+  return std::abs(glm::dot(hole.axis, cylinder.axis));
+}
+
+// Whether the axis of a hole meets that of a cylinder.
 bool is_radial_to(const HoleFeature& hole, const features::CylinderFeature& cylinder) {
-  if (hole.model != cylinder.model || std::abs(glm::dot(hole.axis, cylinder.axis)) > parallel) return false;
-  const Vec3 normal = glm::cross(hole.axis, cylinder.axis);
+  if (hole.model != cylinder.model || are_parallel(hole.axis, cylinder.axis)) return false;
+  const Vec3 normal = glm::normalize(glm::cross(hole.axis, cylinder.axis));
   return std::abs(glm::dot(cylinder.from - hole.mouth, normal)) <= 10 * same_size * cylinder.radius;
+}
+
+// Where it does.
+Vec3 meeting_of(const HoleFeature& hole, const features::CylinderFeature& cylinder) {
+  const Vec3 flat = hole.axis - glm::dot(hole.axis, cylinder.axis) * cylinder.axis;
+  const double along = glm::dot(cylinder.from - hole.mouth, flat) / glm::dot(flat, flat);
+  const Vec3 at = hole.mouth + along * hole.axis;
+  return cylinder.from + glm::dot(at - cylinder.from, cylinder.axis) * cylinder.axis;
 }
 
 // Equal holes about a cylinder at one height, or, if these are parallel to each other and to no axis of the world, at
@@ -38,12 +50,17 @@ std::vector<const HoleFeature*> holes_about(const features::CylinderFeature& cyl
   const HoleFeature& first = *candidates.front();
   std::vector<const HoleFeature*> level, parallels;
   for (const HoleFeature* other : candidates) {
-    if (!is_radial_to(*other, cylinder) || !are_equal_apart_from_axes(first, *other)) continue;
-    if (std::abs(glm::dot(other->mouth - first.mouth, cylinder.axis)) <= 10 * same_size * cylinder.radius)
+    if (!is_radial_to(*other, cylinder) || !are_equal_apart_from_axes(first, *other) ||
+        std::abs(lean(*other, cylinder) - lean(first, cylinder)) > parallel)
+      continue;
+    if (glm::distance(meeting_of(*other, cylinder), meeting_of(first, cylinder)) <= 10 * same_size * cylinder.radius)
       level.push_back(other);
     if (are_parallel(other->axis, first.axis)) parallels.push_back(other);
   }
   const auto is_turned = [&](const HoleFeature* hole) { return !are_parallel(hole->axis, first.axis); };
+  check(!level.empty(), "a hole is on a level with itself");
+  if (lean(first, cylinder) > parallel)
+    return level.size() >= features::fewest_holes ? level : std::vector<const HoleFeature*>{};
   if (std::any_of(level.begin(), level.end(), is_turned)) return level;
   const bool is_askew = features::axis_along(first.axis) < 0 && features::axis_along(cylinder.axis) >= 0;
   return is_askew ? parallels : std::vector<const HoleFeature*>{};
@@ -95,11 +112,17 @@ std::vector<RadialPattern> find_radial_patterns(const features::PartFeatures& fe
       const std::vector<const HoleFeature*> holes = holes_about(cylinder, left);
       if (holes.empty()) continue;
       check(holes.front() == &hole, "a radial pattern begins with the first of its holes");
-      const Vec3 beside = cylinder.from + glm::dot(hole.mouth - cylinder.from, cylinder.axis) * cylinder.axis;
-      patterns.push_back({beside, cylinder.axis, holes});
+      patterns.push_back({meeting_of(hole, cylinder), cylinder.axis, holes, lean(hole, cylinder) > parallel});
       for (const HoleFeature* one : holes) taken[static_cast<std::size_t>(one - features.holes.data())] = 1;
     }
   return patterns;
+}
+
+std::array<Vec3, 2> RadialPattern::legs(const HoleFeature& hole) const {
+  const Vec3 begin = hole.mouth - centre, end = begin - hole.reach * hole.axis;
+  const Vec3& leg = glm::length(begin) < glm::length(end) ? end : begin;
+  check(is_slanted, "a hole square to an axis needs no angle to it");
+  return {glm::dot(leg, axis) * axis, leg};
 }
 
 Vec3 HoleDirections::nearest_line(const Vec3& direction) const {

@@ -11,14 +11,18 @@
 
 namespace epura::sheet {
 
-/// Equal holes whose axes meet that of a round part, perpendicular to it.
+/// Equal holes whose axes meet that of a round part, all at one angle.
 struct RadialPattern {
-  Vec3 centre, axis;                                ///< of the part, beside the first hole; the axis is a unit vector
+  Vec3 centre, axis;                                ///< where that of the first hole meets the axis, a unit vector
   std::vector<const features::HoleFeature*> holes;  ///< one or more
+  bool is_slanted;                                  ///< whether they are not perpendicular to the axis
+
+  /// From the centre along the axis, and along a hole. Only of slanted ones.
+  [[nodiscard]] std::array<Vec3, 2> legs(const features::HoleFeature& hole) const;
 };
 
-/// Those whose axes are not all parallel, and those that are along no axis of the world. A hole is in one pattern at
-/// most.
+/// Those whose axes are not all parallel, and perpendicular ones that are along no axis of the world. A hole is in one
+/// pattern at most.
 std::vector<RadialPattern> find_radial_patterns(const features::PartFeatures& features);
 
 /// Directions of holes about an axis.

@@ -47,7 +47,12 @@ class TurnedFinder {
 
   TurnedCoverage find() {
     found_.holes.assign(features_.holes.size(), true);
-    for (const RadialPattern& pattern : table_.radial) add_angles(directions_of(pattern));
+    for (const RadialPattern& pattern : table_.radial) {
+      add_angles(directions_of(pattern));
+      if (!pattern.is_slanted || has_slant(pattern)) continue;
+      for (const features::HoleFeature* hole : pattern.holes) found_.holes[number_of(hole)] = false;
+      found_.missing.push_back(name_of(*pattern.holes.front()) + ": angle to the axis");
+    }
     for (std::size_t i = 0; i < features_.pitch_circles.size(); ++i)
       add_angles(directions_of(features_, static_cast<int>(i)));
     for (std::size_t i = 0; i < features_.holes.size(); ++i)
@@ -83,6 +88,19 @@ class TurnedFinder {
         found_.holes[number_of(around.holes[i])] = false;
         found_.missing.push_back(name_of(*around.holes[i]) + ": angle");
       }
+  }
+
+  // At any hole of a pattern.
+  [[nodiscard]] bool has_slant(const RadialPattern& pattern) const {
+    return any_dimension(views_, [&](const AnchoredDimension& one) {
+      if (one.type != DimensionType::angular || glm::distance(one.points[0], pattern.centre) > slack_) return false;
+      const auto has_leg = [&](const Vec3& along) {
+        return std::any_of(one.points.begin() + 1, one.points.end(),
+                           [&](const Vec3& end) { return are_parallel(glm::normalize(end - one.points[0]), along); });
+      };
+      return has_leg(pattern.axis) && std::any_of(pattern.holes.begin(), pattern.holes.end(),
+                                                  [&](const auto* hole) { return has_leg(hole->axis); });
+    });
   }
 
   [[nodiscard]] bool has_place(const Vec3& place, const Vec3& axis) const {

@@ -79,6 +79,25 @@ TEST_F(MissingSizes, AreNotOfWhatASectionRemoves) {
   EXPECT_EQ(texts("front:section=y@20"), sorted({"60", "20"}));
 }
 
+// From all sides to one point of the axis: one note, and one angle to the axis.
+TEST_F(MissingSizes, OfSlantedHolesAboutAnAxis) {
+  for (int i = 0; i < variants; i += at_length() ? 1 : 5) {
+    const int count = 6 + 2 * (i % 3);
+    const double up = 25 + 0.5 * i, hole = 3 + 0.25 * (i % 5);
+    const Outcome run = lint(folder.file("part.obj", pyramid_with_holes(count, up, 34 + 0.5 * i, 4, hole)));
+    Words texts;
+    for (const auto& [text, box] : boxes_in(dimension_layers(read_file(folder / "x.svg")))) texts.push_back(text);
+    const std::string times = std::to_string(count) + "× ", size = "⌀" + number(hole);
+    const auto told = [&](const std::string& text) {
+      return std::count_if(texts.begin(), texts.end(), [&](const std::string& one) { return contains(one, text); });
+    };
+    EXPECT_EQ(told(times + size), 1) << count << " at " << up;
+    EXPECT_EQ(told(size), 1) << count << " at " << up;
+    EXPECT_EQ(told(times + number(90 - up) + "°"), 1) << count << " at " << up;
+    EXPECT_FALSE(contains(run.out, "angle to the axis")) << run.out;
+  }
+}
+
 // More than anyone finds in a view, and positions along no axis of a view: draw tells what lint finds.
 TEST_F(MissingSizes, AreTold) {
   const auto told = [&](const std::string& obj, const char* placed) {
