@@ -166,7 +166,7 @@ AutomaticPlan automatic_dimensions(const DimensionDescription& wanted, std::span
   Planned missing;
   if (given && !wanted.view.given())
     missing = dimensions_of_free_faces(plan, with_others(*given, all.dimensions, views, subject.world));
-  if (!missing.dimensions.empty() || !missing.places.empty()) {
+  if (!missing.dimensions.empty() || !missing.places.empty() || !missing.omitted.too_many.empty()) {
     // Before places that are thought to be known.
     std::swap(planned.places, missing.places);
     planned.append(std::move(missing));

@@ -5,12 +5,14 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "base/error.hpp"
 #include "definition/limits.hpp"
 #include "definition/words.hpp"
+#include "features/tolerances.hpp"
 #include "sizes/face_dimensions.hpp"
 
 namespace epura::sheet {
@@ -47,6 +49,25 @@ bool forbids(const Row& row, const Motion& motion) {
          definition::seen_at_all * std::sqrt(squares) * largest_of(motion.change);
 }
 
+// By face: whether it is one of so many equal planes, as the flanks of teeth or of a knurl, that a view has no room for
+// a dimension of each. Some of them lean against the axes of the world.
+std::vector<char> faces_in_patterns(const DrawnPart& drawn) {
+  std::vector<std::pair<double, std::size_t>> planes;  // by area
+  for (std::size_t face = 0; face < drawn.faces; ++face)
+    if (const definition::Face& one = drawn.part.faces[face]; one.surface.kind == surfaces::SurfaceKind::plane)
+      planes.emplace_back(one.area, face);
+  std::sort(planes.begin(), planes.end());
+  std::vector<char> found(drawn.faces, 0);
+  for (std::size_t first = 0, last = 0; first < planes.size(); first = last) {
+    bool any_askew = false;
+    for (; last < planes.size() && features::are_same(planes[last].first, planes[first].first); ++last)
+      any_askew = any_askew || features::axis_along(drawn.part.faces[planes[last].second].surface.axis) < 0;
+    for (std::size_t i = first; i < last && any_askew && last - first > max_parallel; ++i) found[planes[i].second] = 1;
+  }
+  check(planes.size() <= found.size(), "a plane is a face");
+  return found;
+}
+
 // Motions that are still free, and the dimensions that take them away.
 class Completion {
  public:
@@ -54,6 +75,7 @@ class Completion {
       : plan_(plan),
         reading_(reading),
         faces_(plan, reading),
+        in_pattern_(faces_in_patterns(reading.drawn)),
         coordinates_(plan.subject, plan.table.round_ends, plan.views.all()),
         motions_(std::move(motions)) {}
 
@@ -73,20 +95,26 @@ class Completion {
   }
 
  private:
-  // The cheapest one; takes away what it forbids.
+  // The cheapest one; takes away what it forbids. One of a pattern is left out.
   std::optional<Planned> dimension_against(const Motion& motion) {
     check(!motion.change.empty(), "a motion changes something");
-    std::vector<FaceDimension> all;
+    std::vector<std::pair<FaceDimension, int>> all;
     for (const int face : faces_of(motion))
-      for (FaceDimension& one : faces_.of(face)) all.push_back(std::move(one));
-    std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.measure < b.measure; });
-    for (FaceDimension& one : all) {
+      for (FaceDimension& one : faces_.of(face)) all.emplace_back(std::move(one), face);
+    std::stable_sort(all.begin(), all.end(),
+                     [](const auto& a, const auto& b) { return a.first.measure < b.first.measure; });
+    for (auto& [one, face] : all) {
       const std::vector<Row> rows = rows_of(one.planned);
       if (std::none_of(rows.begin(), rows.end(), [&](const Row& row) { return forbids(row, motion); })) continue;
       for (const Row& row : rows) take_away(row);
-      return std::move(one.planned);
+      if (in_pattern_[static_cast<std::size_t>(face)] == 0) return std::move(one.planned);
+      return Planned{.omitted = {.too_many = {{view_of(one.planned), 1}}}};
     }
     return std::nullopt;
+  }
+
+  static std::string view_of(const Planned& one) {
+    return one.dimensions.empty() ? std::get<Coordinate>(one.places.front()).view->name : *one.dimensions.front().view;
   }
 
   // The largest ones that move, and those that keep still beside them: to these the distance changes.
@@ -162,6 +190,7 @@ class Completion {
   const Planning& plan_;
   const SheetReading& reading_;
   FaceDimensions faces_;
+  std::vector<char> in_pattern_;
   Coordinates coordinates_;
   std::vector<Motion> motions_;
 };

@@ -47,6 +47,7 @@ class DimensionedPart {
     wanted.type = {DimensionType::automatic, ""};
     const auto plan = sheet::automatic_dimensions(wanted, views, {world_, features, extents_}, {},
                                                   std::vector<sheet::DimensionsInView>());
+    omitted = plan.omitted;
     for (const sheet::NamedProjection& view : views) {
       std::vector<scene::DimensionDescription> own;
       for (const scene::DimensionDescription& one : plan.dimensions)
@@ -83,6 +84,7 @@ class DimensionedPart {
   }
 
   std::vector<std::string> texts;
+  sheet::Omitted omitted;
 
  private:
   [[nodiscard]] sheet::FreeFaces find_in(const std::vector<sheet::DimensionsInView>& views) const {

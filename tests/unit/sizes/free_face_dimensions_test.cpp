@@ -10,6 +10,7 @@
 
 #include "dimensioned_part.hpp"
 #include "known_parts.hpp"
+#include "sizes/coordinates.hpp"
 
 namespace epura::test::free_face_dimensions_test {
 namespace {
@@ -62,6 +63,17 @@ void expect_defined(const DimensionedPart& sheet, const std::string& name) {
   EXPECT_TRUE(rebuilt->is_defined()) << name;
 }
 
+// A round bar with notches all around, as of a knurl.
+Loop knurl(int count, double tip, double root, double half) {
+  Loop outline;
+  for (int i = 0; i < count; ++i) {
+    const double at = 360.0 * i / count, next = 360.0 * (i + 1) / count;
+    outline.push_back(root * Vec2(cosine(at), sine(at)));
+    for (const Vec2& point : arc({0, 0}, tip, at + half, next - half)) outline.push_back(point);
+  }
+  return outline;
+}
+
 }  // namespace
 
 // Width, height, depth, the radius and the place of its centre; how far the bulge goes out follows.
@@ -77,6 +89,18 @@ TEST(FreeFaceDimensions, GiveThePlaceOfACrown) {
   for (int i = 0; i < 6; ++i) {
     const DimensionedPart sheet(crowned_block({22.0 + i, -20.0 + i}, 50));
     expect_defined(sheet, "a crown " + std::to_string(i));
+  }
+}
+
+// Nobody dimensions each flank of a knurl: those that are too many are told.
+TEST(FreeFaceDimensions, LeaveOutPatternsOfFaces) {
+  for (const int count : {10, 14, 16}) {
+    const DimensionedPart sheet(block(knurl(count, 15, 13.6, 5), 30));
+    EXPECT_LE(sheet.texts.size(), 6U) << count;
+    std::size_t told = 0;
+    for (const auto& [view, number] : sheet.omitted.too_many) told += number;
+    EXPECT_GT(told, sheet::max_parallel) << count;
+    EXPECT_FALSE(sheet.free().free.empty()) << count;
   }
 }
 
