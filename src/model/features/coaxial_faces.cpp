@@ -89,6 +89,18 @@ bool is_ball_on(const RoundPart& of, const RoundFace& ball, const RoundFace& sha
          aside(shaft, ball.face.surface.origin) <= slack_of(of.part.tolerance, shaft.reach);
 }
 
+// Whether there are equal ones about different axes, as holes from the middle of a ball outwards.
+bool leads_to_equal_faces(const RoundPart& of, const std::vector<int>& faces) {
+  return std::any_of(faces.begin(), faces.end(), [&](int one) {
+    const surfaces::PartSurface& first = of.faces[static_cast<std::size_t>(one)].face.surface;
+    return std::any_of(faces.begin(), faces.end(), [&](int other) {
+      const surfaces::PartSurface& second = of.faces[static_cast<std::size_t>(other)].face.surface;
+      return first.kind == second.kind && are_same(first.radius, second.radius) &&
+             glm::length(glm::cross(first.axis, second.axis)) > nearly_parallel;
+    });
+  });
+}
+
 // Vertices of the uncut mesh: rims that a cut has shortened are still edges of the file.
 std::vector<std::vector<int>> vertices_by_round_face(const world::Placed& placed, const std::vector<int>& place_of_face,
                                                      std::size_t count) {
@@ -152,16 +164,21 @@ std::vector<int> faces_with_axis(const RoundPart& of, const std::vector<int>& gr
     if (sweep_with_others(of, round, group) >= half_turn && !is_side_of_groove(of, round)) faces.push_back(i);
   }
   if (faces.empty()) return {};
-  const std::set<int> of_group(faces.begin(), faces.end());
+  std::map<int, std::vector<int>> at_balls;  // the faces about axes through them that they border
   for (const surfaces::PartBorder& border : of.borders())
     for (const int side : {0, 1}) {
       if (border.faces[0] < 0) continue;
       const int ball = of.place_of_face[static_cast<std::size_t>(border.faces[side])];
       const int next = of.place_of_face[static_cast<std::size_t>(border.faces[1 - side])];
-      if (ball >= 0 && of_group.count(next) > 0 &&
+      if (ball >= 0 && next >= 0 &&
           is_ball_on(of, of.faces[static_cast<std::size_t>(ball)], of.faces[static_cast<std::size_t>(next)]))
-        faces.push_back(ball);
+        at_balls[ball].push_back(next);
     }
+  const std::set<int> of_group(faces.begin(), faces.end());
+  for (const auto& [ball, nexts] : at_balls)
+    if (std::any_of(nexts.begin(), nexts.end(), [&of_group](int next) { return of_group.count(next) > 0; }) &&
+        !leads_to_equal_faces(of, nexts))
+      faces.push_back(ball);
   std::sort(faces.begin(), faces.end());
   faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
   return faces;

@@ -6,8 +6,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "cut/cut_world.hpp"
+#include "known_parts.hpp"
+#include "mesh/read.hpp"
 #include "recognised.hpp"
 
 namespace epura::test::centred_features_test {
@@ -28,6 +33,55 @@ void expect_ends(const features::CentredRound& feature, Vec3 from, Vec3 to) {
   if (glm::distance(first, from) > glm::distance(last, from)) std::swap(first, last);
   EXPECT_LT(glm::distance(first, from), 1e-6) << first.x << ' ' << first.y << ' ' << first.z;
   EXPECT_LT(glm::distance(last, to), 1e-6) << last.x << ' ' << last.y << ' ' << last.z;
+}
+
+// A block around a hollow ball, with equal bores into it from three sides.
+std::string drilled_block(double half, double ball, double bore) {
+  constexpr int steps = 8;
+  Model model;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double sign : {-1.0, 1.0}) {
+      const Vec3 normal = sign * Mat3(1)[axis], aside = Mat3(1)[(axis + 1) % 3], along = glm::cross(normal, aside);
+      const auto at = [&](double height, const Loop& loop) {
+        std::vector<Vec3> points;
+        for (const Vec2& p : loop) points.push_back(height * normal + p.x * aside + p.y * along);
+        return points;
+      };
+      const auto band = [&model](const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+        for (std::size_t i = 0, j = 1; i < a.size(); ++i, j = (i + 1) % a.size()) model.face({a[i], a[j], b[j], b[i]});
+      };
+      const Loop rim = circle({0, 0}, bore, -135);
+      const std::vector<Vec3> out = at(half, square(Vec2(-half), Vec2(2 * half))), mouth = at(half, rim);
+      const std::vector<Vec3> end = at(std::sqrt(ball * ball - bore * bore), rim);
+      band(out, mouth);
+      if (sign > 0) band(mouth, end);
+      for (std::size_t i = 0, j = 1; i < end.size() && sign < 0; ++i, j = (i + 1) % end.size()) {
+        model.face({half * normal, mouth[i], mouth[j]});
+        model.face({ball * normal, end[j], end[i]});
+      }
+      std::vector<Vec3> last = end;
+      for (int step = 1; step <= steps; ++step) {
+        std::vector<Vec3> next;
+        for (std::size_t i = 0; i < end.size(); ++i)
+          next.push_back(ball * glm::normalize(glm::mix(glm::normalize(end[i]), glm::normalize(out[i]),
+                                                        static_cast<double>(step) / steps)));
+        band(last, next);
+        last = next;
+      }
+    }
+  return model.obj();
+}
+
+// Each ends in the ball: its axis is none of the ball.
+TEST(CentredFeatures, EqualBoresIntoABallEndInIt) {
+  const auto mesh = std::make_shared<const mesh::Mesh>(mesh::read_mesh(drilled_block(30, 20, 5), "block.obj"));
+  const features::CentredFeatures found =
+      features::find_centred_features(laboratory::recognised(world::make_world({{mesh}})));
+  ASSERT_EQ(found.round.size(), 3U);
+  for (const features::CentredRound& bore : found.round) {
+    const Vec3 along = glm::abs(bore.axis);
+    expect_ends(bore, std::sqrt(375.0) * along, 30.0 * along);
+  }
 }
 
 // A shaft with a fillet, a step, a chamfer and a round end.
