@@ -117,7 +117,7 @@ void warn_of_unplaced(const Messages& messages, const std::vector<Annotations>& 
     omitted.append(of_view.omitted);
   }
   for (const auto& [view, count] : omitted.too_many)
-    append_to_list(list, std::to_string(count) + " sizes in the view '" + view + "'");
+    append_to_list(list, std::to_string(count) + (count == 1 ? " size" : " sizes") + " in the view '" + view + "'");
   if (!list.empty())
     messages.warn("left out, since a view has no room for so many: " + list +
                   "\n  hint: draw groups of parts, or add a [[dimension]] for each place that matters");

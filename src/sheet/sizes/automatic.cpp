@@ -13,6 +13,7 @@
 #include "sizes/axis_positions.hpp"
 #include "sizes/cone_dimensions.hpp"
 #include "sizes/cylinder_dimensions.hpp"
+#include "sizes/equal_features.hpp"
 #include "sizes/free_face_dimensions.hpp"
 #include "sizes/hexagon_widths.hpp"
 #include "sizes/hole_dimensions.hpp"
@@ -69,8 +70,26 @@ Planned places_beside_round_ends(const Planning& plan) {
   return planned;
 }
 
+// Of holes in an assembly whose parts have no places along any axis, since they are too many: they are for drawings of
+// groups of parts.
+Planned sizes_left_out(const Planning& plan) {
+  Planned planned;
+  for (const auto& group : equal_features(plan.table, SizeKind::hole, plan.subject.features.holes)) {
+    check(!group.empty(), "a group of holes has one");
+    const NamedProjection* along = plan.views.along(group.front()->axis);
+    const NamedProjection* view =
+        along != nullptr ? along : plan.views.beside(group.front()->axis, group.front()->mouth);
+    if (view != nullptr) ++planned.omitted.too_many[view->name];
+  }
+  return planned;
+}
+
 Planned dimensions_of_features(const Planning& plan, std::span<const NamedProjection> views) {
   Planned planned = overall_sizes(plan, views);
+  if (std::ranges::all_of(plan.subject.features.unplaced, [](std::size_t count) { return count > 0; })) {
+    planned.append(sizes_left_out(plan));
+    return planned;
+  }
   planned.append(places_beside_round_ends(plan));
   planned.append(hexagon_dimensions(plan));
   planned.append(radial_hole_dimensions(plan));

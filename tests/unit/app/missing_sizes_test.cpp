@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "at_length.hpp"
 #include "drawn_texts.hpp"
@@ -77,6 +79,36 @@ TEST_F(MissingSizes, AreNotOfWhatASectionRemoves) {
   EXPECT_EQ(texts("front"), sorted({"60", "20", "12", "11"}));
   EXPECT_EQ(texts("front:section=y@5"), sorted({"60", "20", "12", "11"}));
   EXPECT_EQ(texts("front:section=y@20"), sorted({"60", "20"}));
+}
+
+// A plate with a hole among more parts than any view has room for.
+TEST_F(MissingSizes, OfHolesAmongTooManyPartsAreTold) {
+  const auto told = [&](int count) {
+    std::string obj = plates()[0].obj;
+    int first = static_cast<int>(std::count(obj.begin(), obj.end(), 'v'));
+    for (int i = 0; i < count; ++i) {
+      for (const Vec3& p : {Vec3(0), Vec3(2, 0, 0), Vec3(0, 2, 0), Vec3(0, 0, 2)}) {
+        const Vec3 at = p + Vec3(60 + 3 * i, 40 + 3 * i, 10 + 3 * i);
+        obj += "v " + format_number(at.x) + " " + format_number(at.y) + " " + format_number(at.z) + "\n";
+      }
+      for (const std::array<int, 3>& face : {std::array{1, 3, 2}, {1, 2, 4}, {1, 4, 3}, {2, 3, 4}}) {
+        obj += "f";
+        for (const int corner : face) obj += " " + std::to_string(first + corner);
+        obj += "\n";
+      }
+      first += 4;
+    }
+    const Outcome run = epura({"draw", folder.file("part.obj", obj), "--views", "front,top,left", "--dimensions",
+                               "auto", "--sheet", "A0", "-o", "x.svg"},
+                              folder / "");
+    EXPECT_EQ(run.code, 0) << run.err;
+    return std::pair(run.err, dimensions_in(read_file(folder / "x.svg")));
+  };
+  const auto [few, all_texts] = told(5);
+  EXPECT_EQ(std::count(all_texts.begin(), all_texts.end(), "⌀10"), 1) << few;
+  const auto [many, texts] = told(30);
+  EXPECT_EQ(texts.size(), 3U) << many;
+  EXPECT_TRUE(contains(many, "30 places of parts along z, 1 size in the view 'top'")) << many;
 }
 
 // From all sides to one point of the axis: one note, and one angle to the axis.
