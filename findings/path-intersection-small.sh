@@ -21,4 +21,14 @@ for (const r of [0.1, 1, 10, 100, 1000]) {
 JS
 node meet.mjs >seen
 expect_in seen <<'END'
+size 0.1: a diagonal and a circle meet at (0.05, 0.05), right would be 0.0707 each
+size 0.1: a line and a curve meet at (0.037, 0), right would be y 0.0727
+size 1: a diagonal and a circle meet at (0.5, 0.5), right would be 0.7071 each
+size 1: a line and a curve meet at (0.37, 0), right would be y 0.727
+size 10: a diagonal and a circle meet at (6.8409, 6.8409), right would be 7.0711 each
+size 10: a line and a curve meet at (3.7, 6.7909), right would be y 7.27
+size 100: a diagonal and a circle meet at (70.6891, 70.6891), right would be 70.7107 each
+size 100: a line and a curve meet at (37, 72.65), right would be y 72.6999
+size 1000: a diagonal and a circle meet at (707.1068, 707.1068), right would be 707.1068 each
+size 1000: a line and a curve meet at (370, 726.9983), right would be y 726.9988
 END
