@@ -15,4 +15,10 @@ for (const path of ["M0 0Q10 20 20 0", "M0 0C0 10 10 10 10 0S20 -10 20 0", "M0 0
 JS
 node box.cjs >seen
 expect_in seen <<'END'
+M0 0Q10 20 20 0: 0 0 20 10, svg-path-bbox 0 0 20 10
+M0 0C0 10 10 10 10 0S20 -10 20 0: 0 -7.5 20 7.5, svg-path-bbox 0 -7.5 20 7.5
+M0 0Q10 20 20 0Q30 -20 40 0: 0 -2.47 40 12.26, svg-path-bbox 0 -10 40 10
+M0 0q10 20 20 0t20 0: 0 -2.47 40 12.26, svg-path-bbox 0 -10 40 10
+M0 0Q10 20 20 0Q30 20 40 0: 0 0 40 18.24, svg-path-bbox 0 0 40 10
+M0 0Q10 20 20 0M100 0Q110 20 120 0: 0 0 120 53.47, svg-path-bbox 0 0 120 10
 END
