@@ -21,4 +21,13 @@ for (const digits of [0, 1, 2]) {
 JS
 node round.mjs >seen
 expect_in seen <<'END'
+relative, 0 digits: 10 0 10 0
+absolute, 0 digits: -10 -10 10 10
+svgpath, 0 digits: -10 -10 10 10
+relative, 1 digits: -10.8 -10.4 10 10.4
+absolute, 1 digits: -10 -10 10 10
+svgpath, 1 digits: -10 -10 10 10
+relative, 2 digits: -9.92 -9.96 10 9.96
+absolute, 2 digits: -10 -10 10 10
+svgpath, 2 digits: -10 -10 10 10
 END
