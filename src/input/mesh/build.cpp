@@ -19,6 +19,7 @@
 #include "mesh/faces.hpp"
 #include "mesh/point_marks.hpp"
 #include "mesh/resolution.hpp"
+#include "mesh/t_vertices.hpp"
 #include "mesh/triangulate.hpp"
 #include "mesh/weld.hpp"
 
@@ -98,9 +99,9 @@ void drop_equal_triangles(UsableTriangles& usable, bool are_faces, MeshReport& r
 /// Welds across cracks, such as the seam of a surface of revolution whose first and last points are computed from the
 /// cosines and sines of 0 and of a full turn; some triangles may then be equal. Vertices that the file numbers keep
 /// their numbers.
-void close_cracks(Soup& soup, UsableTriangles& usable, bool are_faces, MeshReport& report) {
+void close_cracks(Soup& soup, UsableTriangles& usable, bool are_faces, const CrackLimits& limits, MeshReport& report) {
   Faces& triangles = usable.triangles;
-  Mending mending = mend_cracks(soup.points, triangles.corners, usable.table, report.resolution);
+  Mending mending = mend_cracks(soup.points, usable.table, limits);
   if (mending.joined == 0) return;
   report.welded_vertices += mending.joined;
   report.weld_distance = mending.distance;
@@ -111,8 +112,30 @@ void close_cracks(Soup& soup, UsableTriangles& usable, bool are_faces, MeshRepor
     for (int& corner : triangles.corners) corner = mending.representative[corner];
     for (auto& wire : soup.wires) wire = {mending.representative[wire[0]], mending.representative[wire[1]]};
   }
+  report.dropped_degenerate += drop_faces_without_three_corners(triangles);
   usable.table = edges_of(triangles, report);
   drop_equal_triangles(usable, are_faces, report);
+}
+
+void divide_open_edges(const Points& points, UsableTriangles& usable, double width, MeshReport& report,
+                       const Progress& progress) {
+  const int divided = insert_t_vertices(usable.triangles, points, usable.table, width, progress);
+  if (divided == 0) return;
+  usable.triangles = triangulate(std::move(usable.triangles), points, progress).triangles;
+  usable.table = edges_of(usable.triangles, report);
+  report.remarks.push_back(std::to_string(divided) + (divided == 1 ? " open edge" : " open edges") +
+                           " divided where other edges end on " + (divided == 1 ? "it" : "them"));
+}
+
+/// Of twins between ends that were merged, nothing may be left.
+void drop_twins_without_triangles(UsableTriangles& usable) {
+  const std::vector<int>& numbers = usable.triangles.number;  // ascending
+  const auto is_left = [&](int face) { return std::binary_search(numbers.begin(), numbers.end(), face); };
+  std::erase_if(usable.twins, [&](const TwinFaces& pair) { return !is_left(pair.first) || !is_left(pair.second); });
+}
+
+bool has_open_edges(const EdgeTable& table) {
+  return std::any_of(table.edges.begin(), table.edges.end(), [](const MeshEdge& edge) { return edge.count == 1; });
 }
 
 void note_unfinished(const std::vector<int>& faces, MeshReport& report) {
@@ -138,7 +161,11 @@ UsableTriangles usable_triangles(Soup& soup, MeshReport& report, const Progress&
   usable.table = edges_of(usable.triangles, report);
   if (!polygons) drop_equal_triangles(usable, true, report);
   progress.expect_time();
-  close_cracks(soup, usable, !polygons, report);
+  if (!has_open_edges(usable.table)) return usable;
+  const CrackLimits limits = limits_of_cracks(soup.points, usable.triangles.corners, report.resolution);
+  close_cracks(soup, usable, !polygons, limits, report);
+  divide_open_edges(soup.points, usable, limits.width, report, progress);
+  drop_twins_without_triangles(usable);
   return usable;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -19,13 +21,42 @@ namespace {
 // more closely, even if they write it with all digits.
 constexpr double relative_step = 0x1p-23;
 
+double largest_of(const Vec3& v) { return std::max({v.x, v.y, v.z}); }
+
 Vec3 place(const Points& points, int vertex) { return {points[vertex][0], points[vertex][1], points[vertex][2]}; }
 
-double largest_coordinate(const Points& points, std::span<const int> corners) {
-  double largest = 0;
-  for (const int corner : corners)
-    for (const double x : points[corner]) largest = std::max(largest, std::abs(x));
+/// Along each axis.
+Vec3 largest_coordinates(const Points& points, std::span<const int> corners) {
+  Vec3 largest(0);
+  for (const int corner : corners) largest = glm::max(largest, glm::abs(place(points, corner)));
   return largest;
+}
+
+double length_of(const Points& points, const MeshEdge& edge) {
+  return glm::distance(place(points, edge.vertex[0]), place(points, edge.vertex[1]));
+}
+
+bool is_made_by_rounding(const Points& points, const MeshEdge& edge, const CrackLimits& limits) {
+  const Vec3 way = glm::abs(place(points, edge.vertex[1]) - place(points, edge.vertex[0]));
+  const Vec3 rounded = glm::min(limits.largest, Vec3(largest_of(largest_coordinates(points, edge.vertex))));
+  return glm::all(glm::lessThanEqual(way, limits.shortest_part * rounded));
+}
+
+double extent_of(const Points& points, std::span<const int> corners) {
+  if (corners.empty()) return 0;
+  Vec3 min = place(points, corners.front()), max = min;
+  for (const int corner : corners) {
+    min = glm::min(min, place(points, corner));
+    max = glm::max(max, place(points, corner));
+  }
+  return glm::distance(min, max);
+}
+
+bool are_floats(const Points& points, std::span<const int> corners) {
+  return std::all_of(corners.begin(), corners.end(), [&](int corner) {
+    const auto& p = points[corner];
+    return std::all_of(p.begin(), p.end(), [](double x) { return x == static_cast<float>(x); });
+  });
 }
 
 /// A vertex at the end of an open edge.
@@ -36,16 +67,15 @@ struct OpenEnd {
 };
 
 /// Returns all open ends, sorted along a direction in which models rarely have many vertices at one height.
-std::vector<OpenEnd> open_ends(const Points& points, const EdgeTable& table, double tolerance) {
+std::vector<OpenEnd> open_ends(const Points& points, const EdgeTable& table, const CrackLimits& limits) {
   const Vec3 direction = glm::normalize(Vec3(0.577, 0.331, 0.747));
   std::vector<OpenEnd> ends;
   for (const MeshEdge& edge : table.edges) {
     if (edge.count != 1) continue;
-    const Vec3 a = place(points, edge.vertex[0]), b = place(points, edge.vertex[1]);
-    // At most a quarter of the edge: cracks are much narrower than they are long, and genuine small edges survive.
-    const double radius = std::min(tolerance, 0.25 * glm::distance(a, b));
-    ends.push_back({glm::dot(a, direction), radius, edge.vertex[0]});
-    ends.push_back({glm::dot(b, direction), radius, edge.vertex[1]});
+    const double length = length_of(points, edge);
+    const bool may_go = is_made_by_rounding(points, edge, limits);
+    const double radius = may_go ? limits.width : std::min(limits.width, widest_crack * length);
+    for (const int vertex : edge.vertex) ends.push_back({glm::dot(place(points, vertex), direction), radius, vertex});
   }
   // One entry per vertex, with its smallest radius.
   std::sort(ends.begin(), ends.end(), [](const OpenEnd& a, const OpenEnd& b) {
@@ -81,16 +111,17 @@ std::vector<EndPair> near_pairs(const Points& points, const std::vector<OpenEnd>
   return pairs;
 }
 
-/// Vertices merged so far. Two vertices with an edge between them are never in one cluster.
+/// Vertices merged so far. Two vertices with an edge between them that rounding did not make are never in one cluster.
 class Clusters {
  public:
-  Clusters(std::size_t vertex_count, const std::vector<OpenEnd>& ends, const EdgeTable& table)
-      : cluster_(vertex_count), members_(vertex_count) {
+  Clusters(const Points& points, const std::vector<OpenEnd>& ends, const EdgeTable& table, const CrackLimits& limits)
+      : cluster_(points.size()), members_(points.size()) {
     std::iota(cluster_.begin(), cluster_.end(), 0);
     for (const OpenEnd& end : ends) members_[end.vertex] = {end.vertex};
     for (const MeshEdge& edge : table.edges) {
       const auto [a, b] = edge.vertex;
       if (members_[a].empty() || members_[b].empty()) continue;  // one of them cannot be merged
+      if (is_made_by_rounding(points, edge, limits)) continue;
       links_.push_back({a, b});
       links_.push_back({b, a});
     }
@@ -135,12 +166,19 @@ class Clusters {
 
 }  // namespace
 
-Mending mend_cracks(const Points& points, std::span<const int> corners, const EdgeTable& table, double resolution) {
-  const double tolerance = roundings * std::max(relative_step * largest_coordinate(points, corners), resolution / 2);
-  const std::vector<OpenEnd> ends = open_ends(points, table, tolerance);
+CrackLimits limits_of_cracks(const Points& points, std::span<const int> corners, double resolution) {
+  const Vec3 largest = largest_coordinates(points, corners);
+  const double step = relative_step * largest_of(largest);
+  // Of a model that is lost in rounding, nothing would be left to tell so.
+  const bool may_drop = extent_of(points, corners) > roundings * step && are_floats(points, corners);
+  return {roundings * std::max(step, resolution / 2), largest, may_drop ? roundings * relative_step : 0};
+}
+
+Mending mend_cracks(const Points& points, const EdgeTable& table, const CrackLimits& limits) {
+  const std::vector<OpenEnd> ends = open_ends(points, table, limits);
   const std::vector<EndPair> pairs = near_pairs(points, ends);
   if (pairs.empty()) return {};
-  Clusters clusters(points.size(), ends, table);
+  Clusters clusters(points, ends, table, limits);
   for (const EndPair& pair : pairs) clusters.join(pair.a, pair.b);
 
   Mending mending{.representative = clusters.representatives()};

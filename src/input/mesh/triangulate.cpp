@@ -14,6 +14,7 @@
 #include "base/vec.hpp"
 #include "mesh/simple_rings.hpp"
 #include "search/bounds_tree.hpp"
+#include "search/halved_order.hpp"
 
 namespace epura::mesh {
 
@@ -95,25 +96,11 @@ class CornerTree {
   }
 
   void build() {
-    halve(members_.begin(), members_.end());
+    search::order_by_halving(members_.begin(), members_.end(), [&](int i) { return p_[i]; });
     tree_ = {members_.size(), [&](std::size_t i) {
                const Vec2& p = p_[members_[i]];
                return search::Bounds<2>{{{p.x, p.x}, {p.y, p.y}}};
              }};
-  }
-
-  void halve(std::vector<int>::iterator begin, std::vector<int>::iterator end) {
-    if (end - begin < 2) return;
-    Vec2 min = p_[*begin], max = min;
-    for (auto i = begin; i != end; ++i) {
-      min = glm::min(min, p_[*i]);
-      max = glm::max(max, p_[*i]);
-    }
-    const int axis = max.x - min.x >= max.y - min.y ? 0 : 1;
-    const auto middle = begin + (end - begin) / 2;
-    std::nth_element(begin, middle, end, [&](int a, int b) { return p_[a][axis] < p_[b][axis]; });
-    halve(begin, middle);
-    halve(middle, end);
   }
 
   const std::vector<Vec2>& p_;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace epura::test::cracks_test {
 namespace {
 
@@ -23,10 +25,9 @@ struct Loose {
     const double far = 20 * static_cast<double>(polygon.size() + 1);
     add(a, {a[0], a[1] + far, 0}, {a[0], a[1] + far, far});
   }
-  // The step of coordinates decides how far apart two places may be that are one.
-  [[nodiscard]] mesh::Mending mended(double tolerance) const {
+  [[nodiscard]] mesh::Mending mended(double width, double shortest_part = 0) const {
     const auto table = mesh::make_edge_table(corners, polygon, static_cast<int>(points.size()));
-    return mesh::mend_cracks(points, corners, table, tolerance / 2);
+    return mesh::mend_cracks(points, table, {width, Vec3(HUGE_VAL), shortest_part});
   }
 };
 
@@ -52,6 +53,27 @@ TEST(Cracks, BesideSmallEdgesAreNone) {
   nearer.add({0, 0, 0}, {1, 0, 0}, {0.5, -45, 0});
   nearer.add({-0.2, 0, 0});
   EXPECT_EQ(nearer.mended(1).joined, 1);
+}
+
+TEST(Cracks, TakeEdgesAwayThatRoundingMade) {
+  Loose triangles;
+  triangles.add({10, 0, 0}, {10.4, 0, 0}, {10.5, -45, 0});
+  triangles.add({9.5, 0, 0});
+  EXPECT_EQ(triangles.mended(1, 0.04).joined, 2);  // 0.4 of 10.4
+  EXPECT_TRUE(triangles.mended(1, 0.03).representative.empty());
+}
+
+// Rails of a track to the horizon: floats round their distance, not their gauge.
+TEST(Cracks, AreNoneAcrossWhatNoCoordinateRounds) {
+  const double far = 0x1p30;
+  Loose track;
+  track.add({-1, far, 0}, {1, far, 0}, {0, 2 * far, 0});
+  track.add({-1, far, 0}, {1, far, 0}, {0, 0, 0});
+  const mesh::CrackLimits limits = mesh::limits_of_cracks(track.points, track.corners, 0);
+  const auto table = mesh::make_edge_table(track.corners, track.polygon, static_cast<int>(track.points.size()));
+  const mesh::Mending mending = mesh::mend_cracks(track.points, table, limits);
+  EXPECT_EQ(mending.joined, 2);
+  EXPECT_NE(mending.representative.at(0), mending.representative.at(1));
 }
 
 // From one end of an edge to the other, each step is a crack, but the edge stays.
