@@ -6,10 +6,13 @@
 #include "compare/differing_lines.hpp"
 #include "compare/ink_parts.hpp"
 #include "compare/page_differences.hpp"
+#include "drawing/ink_distance.hpp"
 
 namespace epura::compare {
 
 namespace {
+
+constexpr double distance_step = 0.0005;  // mm: half of what is told
 
 using Parts = std::vector<InkPart>;
 using PartsByLook = std::vector<Parts>;
@@ -94,6 +97,17 @@ class Kind {
   // A differing line meets the other one here and there, which does not split it into several lines.
   [[nodiscard]] double reach() const { return 0.05 + 2 * tolerance_; }
 
+  // Where the ends of a line stay, what is between them moved.
+  [[nodiscard]] double distance_between(const DifferingLine& was, const DifferingLine& is, double of_ends) const {
+    if (of_ends > 2 * tolerance_) return of_ends;
+    const auto pieces_of = [](const DifferingLine& line) {
+      std::vector<drawing::Piece> pieces;
+      for (const InkPart& part : line.parts) pieces.push_back({part.from, part.to, true, true, EdgeKind{}, 0, {0, 0}});
+      return pieces;
+    };
+    return std::max(of_ends, drawing::ink_distance(pieces_of(was), pieces_of(is), distance_step, max_moved));
+  }
+
   Difference difference(Change change, const DifferingLine& line) const {
     Difference found{change, 0, line.view};
     found.from = line.from;
@@ -120,7 +134,7 @@ class Kind {
       Difference& found = found_.differences.emplace_back(difference(Change::moved, come[b]));
       found.before = gone[a].name;
       found.after = come[b].name;
-      found.distance = moved.distance;
+      found.distance = distance_between(gone[a], come[b], moved.distance);
       found.old_from = gone[a].from;
       found.old_to = gone[a].to;
       found.old_length = gone[a].length;

@@ -87,6 +87,20 @@ TEST(Compare, TellsWhereALineIsMissingAndWhichEdgeItWas) {
             "1 difference above 0.001 mm: 1 removed\n");
 }
 
+// Between the same ends, in a box of the same size, every wave is where the other line has none.
+TEST(Compare, TellsHowFarLinesMovedBetweenTheirEnds) {
+  const auto with_waves = [](double height) {
+    sheet::Stroke waves;
+    for (int i = 0; i <= 60; ++i) waves.points.push_back({30 + i, 62 + (i % 2 == 0 ? height : -height)});
+    sheet::Sheet sheet = plate();
+    sheet.layers[visible].strokes.push_back(waves);
+    return as_svg(sheet);
+  };
+  const compare::Comparison comparison = compare::compare(with_waves(0.02), with_waves(-0.02), 0.001);
+  ASSERT_EQ(changes(comparison), "moved");
+  EXPECT_NEAR(comparison.differences[0].distance, 0.04, 0.001);
+}
+
 // A polygon with corners on a circle.
 sheet::Stroke regular(const Vec2& centre, double radius, int corners) {
   sheet::Stroke polygon;
