@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -127,8 +128,8 @@ DrawnFiles draw_within(const DrawOptions& options, const DescribeScene& describe
   if (options.vector.proof != output::Proof::none) expect_provable(options, targets);
   scene::SceneDescription scene = describe_scene(progress);
   pipeline::refuse_overwriting(pipeline::files_of(targets, scene.sheets.size()), inputs_of(options, scene));
-  Revised revised;
-  if (options.revise.given()) revised = revise(options, scene, messages);
+  std::optional<Revising> revising;
+  if (options.revise.given()) revising = begin_revision(options, scene);
 
   pipeline::RunOptions run = options.run;
   const bool proves = options.vector.proof != output::Proof::none;
@@ -145,7 +146,8 @@ DrawnFiles draw_within(const DrawOptions& options, const DescribeScene& describe
   run.writing_error = pipeline::error_of_writing(targets, vector, run.arcs.has_value());
   if (run.max_error) messages.print(pipeline::sentence_of_choices(*run.max_error, run.arcs.has_value(), vector));
   pipeline::DrawnScene drawn = pipeline::draw_scene(scene, run, {messages, progress, watch});
-  add_clouds(drawn.sheets, revised);
+  if (revising && !mark_revision(std::move(*revising), options.run, scene, drawn, messages))
+    drawn = pipeline::draw_scene(scene, run, {pipeline::silent_messages(), progress, watch});
   report::Report& report = drawn.report;
   estimate_savings(report.plan);
   if (options.measure) {

@@ -17,6 +17,8 @@
 #include "pipeline/draw_scene.hpp"
 #include "pipeline/targets.hpp"
 #include "scene/choices.hpp"
+#include "sheet/lettering.hpp"
+#include "sheet/revision_list.hpp"
 
 namespace epura {
 
@@ -26,42 +28,40 @@ using compare::Change;
 using compare::Difference;
 
 constexpr double tolerance = 1e-3;  // mm, as that of `epura compare`
+constexpr const char* revise_option = "--revise";
 
-/// The sheets of a version, as they would be written.
-struct Version {
+// The sheets as they would be written, and their requirements.
+compare::PictureFile pictures_of(const pipeline::DrawnScene& drawn) {
   compare::PictureFile pictures;
-  std::vector<pipeline::FinishedSheet> sheets;
-};
-
-Version drawn(const scene::SceneDescription& scene, const pipeline::RunOptions& options) {
-  pipeline::RunOptions run = options;
-  run.verify = run.explain = run.lint = run.rebuild = false;
-  run.why.clear();
-  run.dump.reset();
-  run.allow_missing = true;
-  pipeline::Stopwatch watch;
-  pipeline::DrawnScene result = pipeline::draw_scene(scene, run, {pipeline::silent_messages(), {}, watch});
-  Version version{{}, std::move(result.sheets)};
   const std::vector<pipeline::Target> target{{"revision.svg", output::find_format("svg")}};
-  for (const pipeline::FileBytes& file : pipeline::encode_all(target, version.sheets, {}, result.report, {})) {
+  for (const pipeline::FileBytes& file : pipeline::encode_all(target, drawn.sheets, {}, drawn.report, {})) {
     compare::PictureFile read = compare::pictures_of(file.bytes, "revision.svg");
-    std::move(read.pages.begin(), read.pages.end(), std::back_inserter(version.pictures.pages));
+    std::move(read.pages.begin(), read.pages.end(), std::back_inserter(pictures.pages));
   }
-  version.pictures.requirements = std::move(result.report.requirements);
-  return version;
+  pictures.requirements = drawn.report.requirements;
+  return pictures;
+}
+
+pipeline::DrawnScene draw_unjudged(const scene::SceneDescription& scene, pipeline::RunOptions options) {
+  options.verify = options.explain = options.lint = options.rebuild = false;
+  options.why.clear();
+  options.dump.reset();
+  options.allow_missing = true;
+  pipeline::Stopwatch watch;
+  return pipeline::draw_scene(scene, options, {pipeline::silent_messages(), {}, watch});
 }
 
 // The older version on the sheets of the new one.
-void use_sheets_of(const Version& version, scene::SceneDescription& older, const std::string& where) {
-  for (std::size_t i = 0; i < std::min(version.sheets.size(), older.sheets.size()); ++i) {
+void use_sheets(const std::vector<pipeline::FinishedSheet>& sheets, scene::SceneDescription& older) {
+  for (std::size_t i = 0; i < std::min(sheets.size(), older.sheets.size()); ++i) {
     scene::SheetDescription& sheet = older.sheets[i];
-    const pipeline::FinishedSheet& drawn = version.sheets[i];
+    const pipeline::FinishedSheet& drawn = sheets[i];
     const Vec2 size(drawn.sheet.width, drawn.sheet.height);
     if (drawn.paper.width > 0) {
-      sheet.size = {sheet::paper_of_size(size), where};
-      sheet.orientation = {size.x >= size.y ? Orientation::landscape : Orientation::portrait, where};
+      sheet.size = {sheet::paper_of_size(size), revise_option};
+      sheet.orientation = {size.x >= size.y ? Orientation::landscape : Orientation::portrait, revise_option};
     }
-    sheet.scale = {scene::ScaleChoice{drawn.scale}, where};
+    sheet.scale = {scene::ScaleChoice{drawn.scale}, revise_option};
   }
 }
 
@@ -82,7 +82,7 @@ std::string words_of(const compare::RequirementChange& change) {
   const std::size_t shorter = std::min(change.before.size(), change.after.size());
   for (std::size_t i = 0; i < shorter && change.before[i] == change.after[i]; ++i)
     if (change.before[i] == ' ') same = i + 1;
-  return change.before + " → " + change.after.substr(same);
+  return change.before + " -> " + change.after.substr(same);
 }
 
 // What the row of the table says: the requirements that differ, or texts, or else which views do.
@@ -96,7 +96,8 @@ std::string text_of(const compare::Comparison& comparison) {
     if (std::find(views.begin(), views.end(), one.view) == views.end())
       append_to_list(changed, views.emplace_back(one.view));
     if (one.change != Change::text || !comparison.requirements.empty()) continue;
-    if (std::string words = one.before + " → " + one.after; std::find(items.begin(), items.end(), words) == items.end())
+    if (std::string words = one.before + " -> " + one.after;
+        std::find(items.begin(), items.end(), words) == items.end())
       items.push_back(std::move(words));
   }
   if (items.empty()) items = {"lines of " + changed};
@@ -126,61 +127,86 @@ std::string revision_of(const scene::SceneDescription& scene) {
   return scene.revisions.empty() ? "A" : after(*scene.revisions.back().revision);
 }
 
-void add_row(scene::SceneDescription& scene, const std::string& revision, const std::string& text,
-             const std::string& where) {
-  scene::RevisionDescription row{{revision, where}, {}, {text, where}};
-  if (const std::string date = scene.sheets.front().field("date"); !date.empty()) row.date = {date, where};
-  if (const std::string by = scene.sheets.front().field("author"); !by.empty()) row.author = {by, where};
+void add_row(scene::SceneDescription& scene, const std::string& revision) {
+  scene::RevisionDescription row{{revision, revise_option}, {}, {"...", revise_option}};
+  if (const std::string date = scene.sheets.front().field("date"); !date.empty()) row.date = {date, revise_option};
+  if (const std::string by = scene.sheets.front().field("author"); !by.empty()) row.author = {by, revise_option};
   scene.revisions.push_back(std::move(row));
+}
+
+// The row takes the same room whatever it says.
+void write_row(pipeline::FinishedSheet& sheet, const scene::SceneDescription& scene,
+               const pipeline::Messages& messages) {
+  sheet::RevisionList list{{}, scene.sheets.front().field("language")};
+  for (const scene::RevisionDescription& row : scene.revisions)
+    if (row.sheet.value_or(1) == 1) list.rows.push_back(row);
+  const sheet::Lettering lettering(sheet.sheet.font);
+  for (std::string& warning : sheet::rewrite_revisions(sheet.sheet.layers, list, lettering)) {
+    messages.warn(warning);
+    sheet.warnings.push_back(std::move(warning));
+  }
+}
+
+using BoxesBySheet = std::vector<std::vector<sheet::Rectangle>>;
+
+BoxesBySheet changes_of(const compare::Comparison& comparison, std::size_t sheets) {
+  BoxesBySheet changes(sheets);
+  for (const Difference& one : comparison.differences)
+    if (const auto page = static_cast<std::size_t>(one.page - 1); is_change(one) && page < sheets)
+      changes[page].push_back({glm::min(one.from, one.to), glm::max(one.from, one.to)});
+  for (std::vector<sheet::Rectangle>& boxes : changes) boxes = sheet::united_changes(std::move(boxes));
+  return changes;
+}
+
+// Returns how many there are.
+std::size_t add_clouds(std::vector<pipeline::FinishedSheet>& sheets, const BoxesBySheet& changes,
+                       const std::string& revision) {
+  std::size_t clouds = 0;
+  for (std::size_t i = 0; i < sheets.size(); ++i) {
+    if (changes[i].empty()) continue;
+    clouds += changes[i].size();
+    const sheet::LineWidths widths = sheet::line_widths(sheets[i].paper);
+    sheets[i].sheet.layers.push_back(sheet::revision_clouds(changes[i], revision, widths));
+  }
+  return clouds;
 }
 
 }  // namespace
 
-Revised revise(const DrawOptions& options, scene::SceneDescription& scene, const pipeline::Messages& messages) {
-  const std::string where = "--revise";
+Revising begin_revision(const DrawOptions& options, scene::SceneDescription& scene) {
   if (options.models.size() != 1)
-    refuse_input(where, "compares one model or scene file, but there are " + std::to_string(options.models.size()),
+    refuse_input(revise_option,
+                 "compares one model or scene file, but there are " + std::to_string(options.models.size()),
                  "write a scene file with the models, and give its older version");
   DrawOptions before = options;
   before.models = {*options.revise};
-  scene::SceneDescription older = describe(before);
-  Revised revised{revision_of(scene)};
-  const bool has_row = std::any_of(scene.revisions.begin(), scene.revisions.end(),
-                                   [&](const auto& row) { return *row.revision == revised.revision; });
-  // The row takes room that decides where everything else is.
-  scene::SceneDescription with_row = scene;
-  if (!has_row) add_row(with_row, revised.revision, "...", where);
-  const Version now = drawn(with_row, options.run);
-  older.revisions = with_row.revisions;
-  use_sheets_of(now, older, where);
-  const Version then = drawn(older, options.run);
-  const compare::Comparison comparison = compare::compare(then.pictures, now.pictures, tolerance);
-  revised.changes.resize(now.sheets.size());
-  for (const Difference& one : comparison.differences)
-    if (const auto page = static_cast<std::size_t>(one.page - 1); is_change(one) && page < revised.changes.size())
-      revised.changes[page].push_back({glm::min(one.from, one.to), glm::max(one.from, one.to)});
-  std::size_t clouds = 0;
-  for (std::vector<sheet::Rectangle>& boxes : revised.changes) {
-    boxes = sheet::united_changes(std::move(boxes));
-    clouds += boxes.size();
-  }
-  if (clouds == 0 && comparison.requirements.empty()) {
-    messages.print("nothing differs from " + *options.revise + ": no revision is marked\n");
-    return revised;
-  }
-  const std::string text = text_of(comparison);
-  if (!has_row) add_row(scene, revised.revision, text, where);
-  messages.print("revision " + revised.revision + ": " + text + "; " + std::to_string(clouds) +
-                 (clouds == 1 ? " cloud\n" : " clouds\n"));
-  return revised;
+  Revising revising{*options.revise, revision_of(scene), true, describe(before)};
+  revising.adds_row = std::none_of(scene.revisions.begin(), scene.revisions.end(),
+                                   [&](const auto& row) { return *row.revision == revising.revision; });
+  if (revising.adds_row) add_row(scene, revising.revision);
+  return revising;
 }
 
-void add_clouds(std::vector<pipeline::FinishedSheet>& sheets, const Revised& revised) {
-  for (std::size_t i = 0; i < std::min(sheets.size(), revised.changes.size()); ++i) {
-    if (revised.changes[i].empty()) continue;
-    const sheet::LineWidths widths = sheet::line_widths(sheets[i].paper);
-    sheets[i].sheet.layers.push_back(sheet::revision_clouds(revised.changes[i], revised.revision, widths));
+bool mark_revision(Revising revising, const pipeline::RunOptions& options, scene::SceneDescription& scene,
+                   pipeline::DrawnScene& drawn, const pipeline::Messages& messages) {
+  revising.older.revisions = scene.revisions;
+  use_sheets(drawn.sheets, revising.older);
+  const pipeline::DrawnScene older = draw_unjudged(revising.older, options);
+  const compare::Comparison comparison = compare::compare(pictures_of(older), pictures_of(drawn), tolerance);
+  const std::size_t clouds = add_clouds(drawn.sheets, changes_of(comparison, drawn.sheets.size()), revising.revision);
+  if (clouds == 0 && comparison.requirements.empty()) {
+    messages.print("nothing differs from " + revising.older_file + ": no revision is marked\n");
+    if (revising.adds_row) scene.revisions.pop_back();
+    return !revising.adds_row;
   }
+  const std::string text = text_of(comparison);
+  if (revising.adds_row) {
+    scene.revisions.back().text = {text, revise_option};
+    write_row(drawn.sheets.front(), scene, messages);
+  }
+  messages.print("revision " + revising.revision + ": " + text + "; " + std::to_string(clouds) +
+                 (clouds == 1 ? " cloud\n" : " clouds\n"));
+  return true;
 }
 
 }  // namespace epura

@@ -3,26 +3,28 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "app/options.hpp"
-#include "composition/finished_sheet.hpp"
+#include "pipeline/draw_scene.hpp"
 #include "scene/description.hpp"
-#include "sheet/rectangle.hpp"
 #include "views/messages.hpp"
 
 namespace epura {
 
-struct Revised {
-  std::string revision;                                  ///< "B"
-  std::vector<std::vector<sheet::Rectangle>> changes{};  ///< by sheet
+/// The older version of a drawing that is to be made.
+struct Revising {
+  std::string older_file, revision;  ///< "B"
+  bool adds_row;                     ///< whether the scene has got a row for this revision
+  scene::SceneDescription older;
 };
 
-/// Draws both versions and compares them. Unless they are the same, the scene gets a row for it, if it has none of this
-/// revision: that of the title block, or the one after the last. Throws Error.
-Revised revise(const DrawOptions& options, scene::SceneDescription& scene, const pipeline::Messages& messages);
+/// Gives the scene a row without words for the revision, if it has none: that of the title block, or the one after the
+/// last. Throws Error.
+Revising begin_revision(const DrawOptions& options, scene::SceneDescription& scene);
 
-/// Draws the clouds.
-void add_clouds(std::vector<pipeline::FinishedSheet>& sheets, const Revised& revised);
+/// Draws the older version on the sheets of the scene and compares them: clouds round what differs, and its words in
+/// the row. If nothing differs, takes away the row. Returns false if the sheets must be drawn again for that.
+bool mark_revision(Revising revising, const pipeline::RunOptions& options, scene::SceneDescription& scene,
+                   pipeline::DrawnScene& drawn, const pipeline::Messages& messages);
 
 }  // namespace epura

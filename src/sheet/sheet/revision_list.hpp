@@ -22,4 +22,8 @@ struct RevisionList {
 std::vector<std::string> draw_revisions(Layer& layer, const RevisionList& list, const Rectangle& box,
                                         const Lettering& lettering);
 
+/// Writes the list of a sheet again, with as many rows and the same columns as before.
+std::vector<std::string> rewrite_revisions(std::vector<Layer>& layers, const RevisionList& list,
+                                           const Lettering& lettering);
+
 }  // namespace epura::sheet

@@ -41,6 +41,7 @@ TEST_F(Revise, MarksWhatDiffersAndSaysItInTheTable) {
   EXPECT_TRUE(contains(drawn.err, "revision B: lines of front, left; 2 clouds")) << drawn.err;
   EXPECT_TRUE(contains(svg(), "sheet-clouds"));
   EXPECT_TRUE(contains(svg(), ">lines of front, left<")) << "the row";
+  EXPECT_FALSE(contains(svg(), ">...<"));
   // The edge of the step and its height are in the cloud of the front view, whose triangle has the index.
   const std::string clouds = svg().substr(svg().find("sheet-clouds"));
   EXPECT_TRUE(contains(clouds, ">B<"));
@@ -62,14 +63,19 @@ TEST_F(Revise, TheTableSaysWhichRequirementsHaveChanged) {
   const Outcome drawn = draw({"new.step", "--revise", "old.step"});
   if (contains(drawn.err, "install the package")) GTEST_SKIP() << "there is no importer of STEP";
   EXPECT_EQ(drawn.code, 0) << drawn.err;
-  EXPECT_TRUE(contains(drawn.err, "revision A: linear distance 20 ±0.1 mm → -0.1/+0.3 mm; 1 cloud\n")) << drawn.err;
+  EXPECT_TRUE(contains(drawn.err, "revision A: linear distance 20 ±0.1 mm -> -0.1/+0.3 mm; 1 cloud\n")) << drawn.err;
+  EXPECT_TRUE(contains(svg(), ">linear distance 20 ±0.1 mm -&gt; -0.1/+0.3 mm<")) << "the row";
+  EXPECT_FALSE(contains(svg(), ">...<"));
 }
 
 TEST_F(Revise, EqualVersionsHaveNoRevision) {
   const Outcome drawn = draw({"new.obj", "--revise", "new.obj"});
   EXPECT_EQ(drawn.code, 0) << drawn.err;
   EXPECT_TRUE(contains(drawn.err, "nothing differs from new.obj: no revision is marked")) << drawn.err;
-  EXPECT_FALSE(contains(svg(), "sheet-clouds"));
+  const std::string revised = svg();
+  EXPECT_FALSE(contains(revised, "sheet-clouds"));
+  EXPECT_EQ(draw({"new.obj"}).code, 0);
+  EXPECT_TRUE(revised == svg()) << "has no row of a revision";
 }
 
 TEST_F(Revise, TheIndexFollowsThatOfTheLastRow) {
