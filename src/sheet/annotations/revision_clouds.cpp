@@ -15,7 +15,7 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double gap_between = 6, room_around = 3;      // mm: of boxes that become one, and from ink to the cloud
+constexpr double room_around = 3;                       // mm, from ink to the cloud
 constexpr double cloud_chord = 6;                       // mm; of an arc, about
 constexpr double cloud_bulge = std::numbers::pi / 3;    // half the angle of an arc
 constexpr double triangle_side = 8, mark_height = 2.5;  // mm; of the triangle, and height of its letters
@@ -33,6 +33,17 @@ void add_side(Layer& layer, const Vec2& from, const Vec2& to) {
   }
 }
 
+double triangle_rise() { return std::sqrt(3.0) / 2 * triangle_side; }
+
+// The left corner of the triangle beside a cloud.
+Vec2 triangle_of(const Rectangle& cloud) { return cloud.max + Vec2(cloud_chord / 2, cloud_chord / 2); }
+
+// What the cloud round a box takes, with its triangle. Arcs bulge by less than half their chord.
+Rectangle room_of(const Rectangle& box) {
+  const Rectangle cloud = box.grown(room_around);
+  return {cloud.min - cloud_chord / 2, triangle_of(cloud) + Vec2(triangle_side, triangle_rise())};
+}
+
 }  // namespace
 
 std::vector<Rectangle> united_changes(std::vector<Rectangle> boxes) {
@@ -42,9 +53,8 @@ std::vector<Rectangle> united_changes(std::vector<Rectangle> boxes) {
     any = false;
     std::vector<Rectangle> united;
     for (const Rectangle& box : boxes) {
-      const auto near = std::find_if(united.begin(), united.end(), [&](const Rectangle& other) {
-        return other.grown(gap_between / 2).overlaps(box.grown(gap_between / 2));
-      });
+      const auto near = std::find_if(united.begin(), united.end(),
+                                     [&](const Rectangle& other) { return room_of(other).overlaps(room_of(box)); });
       if (near == united.end()) {
         united.push_back(box);
         continue;
@@ -64,12 +74,12 @@ std::vector<Rectangle> united_changes(std::vector<Rectangle> boxes) {
 Layer revision_clouds(std::span<const Rectangle> boxes, const std::string& revision, const LineWidths& widths) {
   Layer layer = empty_layer("sheet", scene::SheetLine::cloud, widths);
   for (const Rectangle& box : boxes) {
-    const auto [low, high] = box.grown(room_around);
+    const Rectangle cloud = box.grown(room_around);
+    const auto& [low, high] = cloud;
     const std::array<Vec2, 4> corners{low, {high.x, low.y}, high, {low.x, high.y}};
     for (std::size_t i = 0; i < corners.size(); ++i) add_side(layer, corners[i], corners[(i + 1) % corners.size()]);
-    const double rise = std::sqrt(3.0) / 2 * triangle_side;
-    const Vec2 left = high + Vec2(cloud_chord / 2, cloud_chord / 2);
-    layer.strokes.push_back({{left, left + Vec2(triangle_side, 0), left + Vec2(triangle_side / 2, rise)}, true});
+    const Vec2 left = triangle_of(cloud), top = left + Vec2(triangle_side / 2, triangle_rise());
+    layer.strokes.push_back({{left, left + Vec2(triangle_side, 0), top}, true});
     layer.texts.push_back(
         {revision, left + Vec2(triangle_side / 2, mark_height / 2), mark_height, 0, Align::middle, "revision"});
   }
