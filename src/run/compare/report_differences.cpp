@@ -79,6 +79,11 @@ std::string format_change(const RequirementChange& change) {
   return text + (change.before.empty() || change.after.empty() ? "" : " -> ") + one_line(change.after);
 }
 
+std::string number_of_requirements(const Comparison& comparison) {
+  const std::size_t number = comparison.requirements.size();
+  return std::to_string(number) + (number == 1 ? " requirement differs" : " requirements differ");
+}
+
 std::string point(const Vec2& p) { return output::json_list(std::array{p.x, p.y}, output::json_number); }
 
 std::string text_or_null(const std::string& text) { return text.empty() ? "null" : output::json_string(text); }
@@ -109,10 +114,9 @@ std::string json_of(const Difference& d) {
 
 std::string format_comparison(const Comparison& comparison, double tolerance) {
   std::string text;
-  for (const Difference& d : comparison.differences) text += format_difference(d, comparison.pages.size() > 1) + "\n";
   for (const RequirementChange& change : comparison.requirements) text += format_change(change) + "\n";
-  if (const std::size_t number = comparison.requirements.size(); number > 0)
-    text += std::to_string(number) + (number == 1 ? " requirement differs\n" : " requirements differ\n");
+  if (!comparison.requirements.empty()) text += number_of_requirements(comparison) + "\n";
+  for (const Difference& d : comparison.differences) text += format_difference(d, comparison.pages.size() > 1) + "\n";
   if (!comparison.compares_texts) text += "texts of PDF files are not compared\n";
   if (text.empty() || comparison.differences.empty())
     return text + "no differences above " + format_number(tolerance) + " mm\n";
@@ -138,8 +142,11 @@ std::string to_markdown(const Comparison& comparison, double tolerance, const st
   const std::string words = format_comparison(comparison, tolerance);
   std::vector<std::string_view> lines = split(words, '\n');
   std::erase(lines, std::string_view());
-  std::string text = "**" + before + " → " + after + "**: " + std::string(lines.back()) + "\n\n";
+  std::string text = "**" + before + " → " + after + "**: ", number = number_of_requirements(comparison);
+  if (!comparison.requirements.empty()) text += number + "; ";
+  text += std::string(lines.back()) + "\n\n";
   lines.pop_back();
+  std::erase(lines, number);
   for (std::size_t i = 0; i < std::min(lines.size(), max_listed); ++i)
     text.append("- `").append(lines[i]).append("`\n");
   if (lines.size() > max_listed) text += "- and " + std::to_string(lines.size() - max_listed) + " more\n";

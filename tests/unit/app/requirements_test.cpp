@@ -2,6 +2,7 @@
 // epura requirements, and what epura info and epura draw say of them.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <regex>
 
 #include "../output/json_reader.hpp"
@@ -40,7 +41,6 @@ class RequirementsCommand : public testing::Test {
   }
   [[nodiscard]] std::string text(const std::string& file) const { return read_file(folder_ / file); }
 
- private:
   Folder folder_;
 };
 
@@ -164,9 +164,40 @@ TEST_F(RequirementsCommand, AreComparedBetweenRevisions) {
   EXPECT_EQ(json["requirements"].items[1]["change"].text, "removed");
   EXPECT_EQ(json["requirements"].items[1]["before"].text, "flatness 0.05 mm");
   EXPECT_TRUE(contains(text("a.md"), "- `removed    requirement: flatness 0.05 mm`\n")) << text("a.md");
+  EXPECT_TRUE(contains(text("a.md"), "2 requirements differ; no differences above 0.001 mm\n")) << text("a.md");
   const Outcome same = compare_with(some_requirements(), {});
   EXPECT_EQ(same.code, 0) << same.out;
   EXPECT_EQ(same.out, "no differences above 0.001 mm\n");
+}
+
+// Whatever else has changed: more lines than a comment has room for.
+TEST_F(RequirementsCommand, AreFirstInAComment) {
+  run({"requirements", "box.step"}, some_requirements());
+  std::string next = some_requirements();
+  next.replace(next.find("0.05"), 4, "0.07");
+  folder_.file("next.step", step_box({45, 35, 20}, next));
+  const Outcome listed = epura({"compare", "box.step", "next.step", "--markdown", "a.md"}, folder_ / "");
+  if (contains(listed.err, "install the package")) GTEST_SKIP() << "there is no importer of STEP";
+  EXPECT_EQ(listed.code, 1) << listed.err;
+  const std::string comment = text("a.md");
+  EXPECT_TRUE(contains(comment, "\n\n- `changed    requirement: flatness 0.05 mm -> flatness 0.07 mm`\n")) << comment;
+  EXPECT_TRUE(contains(comment, "**: 1 requirement differs; ")) << comment;
+  EXPECT_LE(std::count(comment.begin(), comment.end(), '\n'), 20) << comment;
+}
+
+// Sizes of targets and of zones, too.
+TEST_F(RequirementsCommand, KeepsTheUnitOfTheFileInWords) {
+  const std::string target = step_target(1100, "1", {10, 10, 20}) +
+                             "#1140=DATUM('','',#10,.F.,'A');\n#1141=SHAPE_ASPECT_RELATIONSHIP('','',#1100,#1140);\n";
+  const std::string profile = step_length(1200, "0.4", "") + step_length(1201, "0.3", "") +
+                              step_aspect(1202, top_face) +
+                              "#1204=(GEOMETRIC_TOLERANCE('','',#1200,#1202)SURFACE_PROFILE_TOLERANCE()"
+                              "UNEQUALLY_DISPOSED_GEOMETRIC_TOLERANCE(#1201));\n";
+  const Outcome listed = run({"requirements", "box.step"}, target + profile, true);
+  if (contains(listed.err, "install the package")) GTEST_SKIP() << "there is no importer of STEP";
+  EXPECT_TRUE(contains(listed.out, "datum target A1, circle, target diameter 4 in; face")) << listed.out;
+  EXPECT_TRUE(contains(listed.out, "surface profile 0.4 in, unequally disposed 0.3 in; face")) << listed.out;
+  EXPECT_TRUE(contains(run({"requirements", "box.step"}, target + profile).out, "target diameter 4 mm; face"));
 }
 
 }  // namespace
