@@ -115,11 +115,8 @@ void add_zone(pugi::xml_node node, const ModelRequirement& one, const char* flat
 // "unequally disposed 0.2 mm"
 void add_length_of(pugi::xml_node node, const ModelRequirement& one, std::string_view word, const char* element,
                    const Units& units) {
-  for (const std::string& item : pipeline::items_of(one.modifiers, ", ")) {
-    if (!item.starts_with(word) || !item.ends_with(" mm")) continue;
-    const std::string_view number = std::string_view(item).substr(word.size(), item.size() - word.size() - 3);
-    if (const auto length = parse_number(number)) add_value(node, element, *length, one, units);
-  }
+  for (const std::string& item : pipeline::items_of(one.modifiers, ", "))
+    if (const auto length = pipeline::length_in(item, word)) add_value(node, element, *length, one, units);
 }
 
 void add_extent(pugi::xml_node node, const ModelRequirement& one) {

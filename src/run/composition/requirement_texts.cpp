@@ -168,21 +168,17 @@ scene::FrameCell zone_cell(const ModelRequirement& one, const Manner& manner, st
   std::string width = (is_sphere ? "S⌀" : is_round ? "⌀" : "") + number(one.value / by, one.decimals);
   scene::FrameCell cell(1);
   for (const std::string& word : items_of(one.modifiers, ", ")) {
-    const auto length = [&](std::string_view before) -> std::optional<double> {
-      if (!word.starts_with(before) || !word.ends_with(" mm")) return std::nullopt;
-      return parse_number(std::string_view(word).substr(before.size(), word.size() - before.size() - 3));
-    };
     if (const std::string sign = sign_of(circled_signs, word, manner.is_asme); sign == implied)
       continue;
     else if (!sign.empty())
       cell.push_back({sign, true});
     else if (const std::string plain = sign_of(plain_signs, word, manner.is_asme); !plain.empty())
       cell.push_back({plain});
-    else if (const auto unit_length = length("per unit of "))
+    else if (const auto unit_length = length_in(word, "per unit of "))
       width += "/" + number(*unit_length / by, 0);
-    else if (const auto outside = length("unequally disposed "))
+    else if (const auto outside = length_in(word, "unequally disposed "))
       add_uneven(cell, *outside, one, manner);
-    else if (const auto most = length("maximum "))
+    else if (const auto most = length_in(word, "maximum "))
       cell.push_back({number(*most / by, 0) + (manner.is_asme ? " MAX" : " max.")});
     else
       left.push_back(word);
@@ -367,14 +363,21 @@ scene::DatumTarget target_of(const ModelRequirement& one, bool with_size, const 
 }
 
 scene::NoteText note_of(const ModelRequirement& one) {
-  constexpr std::size_t widest = 40;  // characters
+  constexpr std::size_t widest = 40;  // characters beside a leader; the list of the sheet breaks its lines itself
   scene::NoteText note;
-  for (const std::string_view word : split(one.text, ' ')) {
-    if (note.lines.empty() || note.lines.back().size() + word.size() >= widest)
-      note.lines.emplace_back(word);
-    else
-      note.lines.back().append(" ").append(word);
+  for (const std::string_view line : split(one.text, '\n')) {
+    std::size_t room = 0;
+    for (const std::string_view word : split(line, ' ')) {
+      if (word.empty()) continue;
+      const bool is_new = room == 0 || (!one.faces.empty() && room + word.size() >= widest);
+      if (is_new)
+        note.lines.emplace_back(word);
+      else
+        note.lines.back().append(" ").append(word);
+      room = is_new ? word.size() : room + 1 + word.size();
+    }
   }
+  if (note.lines.empty()) note.lines.emplace_back();
   return note;
 }
 

@@ -18,6 +18,7 @@ using importer::ModelRequirement;
 using importer::RequirementBounds;
 using importer::RequirementKind;
 
+constexpr std::string_view behind_lengths = " mm";  // among the words of a file
 constexpr int max_digits = 9;  // beyond them, values differ from what the file writes only by their conversion
 
 bool is_in_inches(const ModelRequirement& one) { return one.unit == scene::millimetres(Unit::in); }
@@ -49,7 +50,28 @@ std::string bounds_of(const ModelRequirement& one) {
   return " " + with_sign(one, one.lower) + "/" + with_sign(one, one.upper);
 }
 
+// Lengths among words, "target diameter 6.35 mm", in inches where the file has these.
+std::string in_unit_of(const ModelRequirement& one, std::string words) {
+  if (!is_in_inches(one)) return words;
+  for (std::size_t end = words.find(behind_lengths); end != std::string::npos;
+       end = words.find(behind_lengths, end + 1)) {
+    const std::size_t begin = end == 0 ? 0 : words.find_last_of(" (", end - 1) + 1;
+    const auto length = parse_number(std::string_view(words).substr(begin, end - begin));
+    if (!length) continue;
+    const std::string inches = number_of(one, *length) + " in";
+    words.replace(begin, end + behind_lengths.size() - begin, inches);
+  }
+  return words;
+}
+
 }  // namespace
+
+std::optional<double> length_in(std::string_view word, std::string_view before) {
+  if (!word.starts_with(before) || !word.ends_with(behind_lengths)) return std::nullopt;
+  word.remove_prefix(before.size());
+  return word.size() < behind_lengths.size() ? std::nullopt
+                                             : parse_number(word.substr(0, word.size() - behind_lengths.size()));
+}
 
 double written_unit(const ModelRequirement& one) { return has_own_unit(one) ? one.unit : 1; }
 
@@ -78,9 +100,9 @@ std::string requirement_sentence(const ModelRequirement& one) {
   text += one.fit.empty() ? "" : " " + one.fit;
   text += bounds_of(one);
   if (std::isfinite(one.value) || one.bounds == RequirementBounds::limits) text += unit_of(one);
-  if (one.kind == RequirementKind::tolerance && !one.datums.empty()) text += " to " + one.datums;
+  if (one.kind == RequirementKind::tolerance && !one.datums.empty()) text += " to " + in_unit_of(one, one.datums);
   if (!one.zone.empty()) text += ", " + one.zone;
-  if (!one.modifiers.empty()) text += ", " + one.modifiers;
+  if (!one.modifiers.empty()) text += ", " + in_unit_of(one, one.modifiers);
   if (!one.above.empty()) text += ", below " + one.above;
   return text;
 }

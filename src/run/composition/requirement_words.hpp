@@ -2,6 +2,7 @@
 // What people read of requirements.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -19,6 +20,9 @@ int needed_decimals(double written);
 
 /// The items of a list that is one text, such as the modifiers and datums of a requirement; none of an empty one.
 std::vector<std::string> items_of(std::string_view text, std::string_view separator);
+
+/// Of the word of a modifier, "target diameter 4 mm", the length behind these letters, mm.
+std::optional<double> length_in(std::string_view word, std::string_view before);
 
 /// "diameter 35 -0.2/+0 mm", "position 0.75 mm to A | B | C", in the unit and with the decimals of the file.
 std::string requirement_sentence(const importer::ModelRequirement& requirement);

@@ -89,6 +89,7 @@ class Statement {
     for (std::size_t i = 0; i < file.all.size(); ++i) {
       const ModelRequirement& one = file.all[i];
       if (one.kind == RequirementKind::dimension && gives_value(one)) valued_[{one.type, one.faces}].push_back(i);
+      if (one.kind == RequirementKind::dimension && !one.lines.empty()) lined_[one.faces].push_back(i);
       if (is_target(one)) targets_[one.datums.substr(0, one.datums.find_first_of("0123456789"))].push_back(i);
     }
     for (const scene::CalloutDescription& callout : scene.callouts)
@@ -239,8 +240,8 @@ class Statement {
     scene_.callouts.push_back(std::move(callout));
   }
 
-  // Whether a dimension says how large the area of a target is: it is between the corners of that.
-  [[nodiscard]] bool has_dimension(const ModelRequirement& target) const {
+  // Whether dimensions between its corners say how long and how wide the area of a target is.
+  [[nodiscard]] bool has_dimensions(const ModelRequirement& target) const {
     const Vec3 middle = vector_of(target.area[0]), length = vector_of(target.area[1]),
                width = vector_of(target.area[2]);
     const auto is_corner = [&](const Vec3& point) {
@@ -250,12 +251,22 @@ class Statement {
       };
       return is_end(length) && is_end(width);
     };
-    return std::any_of(file_.all.begin(), file_.all.end(), [&](const ModelRequirement& one) {
-      return one.kind == RequirementKind::dimension && !one.lines.empty() && one.faces == target.faces &&
-             std::all_of(one.lines.begin(), one.lines.end(), [&](const std::array<double, 6>& line) {
-               return is_corner({line[0], line[1], line[2]}) && is_corner({line[3], line[4], line[5]});
-             });
-    });
+    const auto is_side = [&](const std::array<double, 6>& line) {
+      return is_corner({line[0], line[1], line[2]}) && is_corner({line[3], line[4], line[5]});
+    };
+    std::vector<double> said;
+    if (const auto lined = lined_.find(target.faces); lined != lined_.end())
+      for (const std::size_t i : lined->second)
+        if (std::ranges::all_of(file_.all[i].lines, is_side)) said.push_back(file_.all[i].value);
+    const auto take = [&said](const Vec3& half) {
+      if (half == Vec3(0)) return true;
+      const auto found = std::find_if(said.begin(), said.end(),
+                                      [&](double value) { return features::are_same(value, 2 * glm::length(half)); });
+      if (found == said.end()) return false;
+      said.erase(found);
+      return true;
+    };
+    return take(length) && take(width);
   }
 
   // The area of a target, with its symbol, in a view that shows it true. Returns whether there is one.
@@ -265,7 +276,7 @@ class Statement {
     const auto half = [&](std::size_t k) {
       return subject_.placed(vector_of(one.area[0]) + vector_of(one.area[k])) - subject_.placed(vector_of(one.area[0]));
     };
-    scene::DatumTarget target = target_of(one, !has_dimension(one), subject_.manner);
+    scene::DatumTarget target = target_of(one, !has_dimensions(one), subject_.manner);
     target.middle = subject_.placed(vector_of(one.area[0]));
     target.half_length = half(1);
     target.half_width = half(2);
@@ -285,15 +296,12 @@ class Statement {
     scene::CalloutDescription callout;
     callout.where = where(i);
     callout.requirement = key_of(file_, i);
+    callout.content = note_of(one);
     if (one.faces.empty()) {
-      callout.content = scene::NoteText{{one.text}};
       callout.sheet = {sheet_, callout.where};
-    } else {
-      callout.content = note_of(one);
-      if (!places_.place(callout, one.faces, SymbolPlaces::Ends::anything)) {
-        file_.rows[i].why = not_seen;
-        return;
-      }
+    } else if (!places_.place(callout, one.faces, SymbolPlaces::Ends::anything)) {
+      file_.rows[i].why = not_seen;
+      return;
     }
     set_drawn(i, callout.view.value_or(""));
     scene_.callouts.push_back(std::move(callout));
@@ -350,8 +358,10 @@ class Statement {
   SymbolPlaces places_;
   std::vector<scene::DimensionDescription> dimensions_{};
   std::map<std::size_t, std::size_t> drawn_by_{};  ///< number of the dimension, before equal ones are one
-  /// Numbers of dimensions that have a value, by type and faces; and of targets, by the letter of their datum.
+  /// Numbers of dimensions that have a value, by type and faces; of those between lines, by faces; and of targets, by
+  /// the letter of their datum.
   std::map<std::pair<std::string, std::vector<int>>, std::vector<std::size_t>> valued_{};
+  std::map<std::vector<int>, std::vector<std::size_t>> lined_{};
   std::map<std::string, std::vector<std::size_t>> targets_{};
   std::set<std::string> letters_{};  ///< of the datums on the sheets
 };

@@ -218,9 +218,30 @@ void anchor_length(scene::DimensionDescription& dimension, const std::array<Leng
   dimension.opposite = {farthest(ends[0], -side), farthest(ends[1], -side)};
 }
 
+/// Ends, and the direction in which they have their distance; zero if there is none.
+using DirectedEnds = std::pair<std::array<LengthEnd, 2>, Vec3>;
+
+// Of two lines, of which one stands upright on the other: the foot, and the far end of the upright one. If both stand
+// on an end of the other, the one that is as long as required.
+std::optional<DirectedEnds> upright_on(const std::array<LengthEnd, 2>& lines, const ModelRequirement& one) {
+  if (std::abs(glm::dot(lines[0].direction, lines[1].direction)) > features::parallel) return std::nullopt;
+  std::optional<DirectedEnds> found;
+  for (std::size_t upright = 0; upright < lines.size(); ++upright) {
+    const LengthEnd &foot = lines[1 - upright], &leg = lines[upright];
+    const double length = glm::length(leg.points[1] - leg.points[0]);
+    for (std::size_t k = 0; k < leg.points.size(); ++k) {
+      const double off = features::distance_from_line(leg.points[k], foot.point, foot.direction);
+      if (!features::are_same(length, length + off) || !agrees(length, one)) continue;
+      if (found) return std::nullopt;
+      const Vec3& end = leg.points[1 - k];
+      found = {{foot, {false, end, leg.direction, {end}}}, leg.direction};
+    }
+  }
+  return found;
+}
+
 // Straight lines on faces, and the direction of their distance; of one line alone, its ends and its own direction.
-std::optional<std::pair<std::array<LengthEnd, 2>, Vec3>> lines_of(const ModelRequirement& one,
-                                                                  const RequirementSubject& subject) {
+std::optional<DirectedEnds> lines_of(const ModelRequirement& one, const RequirementSubject& subject) {
   const auto at = [&](const std::array<double, 6>& line, std::size_t from) {
     return subject.placed({line[from], line[from + 1], line[from + 2]});
   };
@@ -235,6 +256,7 @@ std::optional<std::pair<std::array<LengthEnd, 2>, Vec3>> lines_of(const ModelReq
     for (std::size_t i = 0; i < ends.size(); ++i) ends[i] = {false, both[i], ends[i].direction, {both[i]}};
     return std::pair(ends, ends[0].direction);
   }
+  if (auto upright = upright_on(ends, one)) return upright;
   return std::pair(ends, direction_between(ends[0], ends[1], one));
 }
 

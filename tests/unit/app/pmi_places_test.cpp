@@ -88,24 +88,29 @@ std::string rectangle_target() {
   return target + step_length(1110, "6.", "target width") + datum_of_targets;
 }
 
-// The sides of a target are lines beside the solid, and dimensions are between them: then they say its size.
-TEST_F(PmiPlaces, DimensionsBetweenLinesOnAFaceAreDrawn) {
-  const std::string sides =
-      line(1200, "18.,12.,20.", true, "4.") + line(1210, "18.,18.,20.", true, "4.") +
-      line(1220, "18.,12.,20.", false, "6.") +
-      "#1230=SHAPE_REPRESENTATION('',(#1231),#30);\n#1231=GEOMETRIC_CURVE_SET('',(#1200,#1210,#1220));\n"
-      "#1232=SHAPE_REPRESENTATION_RELATIONSHIP('','',#50,#1230);\n";
-  const auto aspect = [](int number, int item) {
-    return n(number) + "=SHAPE_ASPECT('','',#10,.T.);\n" + n(number + 1) + "=GEOMETRIC_ITEM_SPECIFIC_USAGE(''," +
-           "''," + n(number) + ",#1230," + n(item) + ");\n";
+// Three sides of a target, beside the solid.
+std::string sides() {
+  return line(1200, "18.,12.,20.", true, "4.") + line(1210, "18.,18.,20.", true, "4.") +
+         line(1220, "18.,12.,20.", false, "6.") +
+         "#1230=SHAPE_REPRESENTATION('',(#1231),#30);\n#1231=GEOMETRIC_CURVE_SET('',(#1200,#1210,#1220));\n"
+         "#1232=SHAPE_REPRESENTATION_RELATIONSHIP('','',#50,#1230);\n";
+}
+
+// A length between two of them; takes eight numbers.
+std::string between(int number, int one, int other, const std::string& value) {
+  const auto aspect = [](int at, int item) {
+    return n(at) + "=SHAPE_ASPECT('','',#10,.T.);\n" + n(at + 1) + "=GEOMETRIC_ITEM_SPECIFIC_USAGE('',''," + n(at) +
+           ",#1230," + n(item) + ");\n";
   };
-  const std::string width = aspect(1300, 1200) + aspect(1302, 1210) +
-                            "#1304=DIMENSIONAL_LOCATION('linear distance','',#1300,#1302);\n" +
-                            step_length(1305, "6.", "nominal value") + step_values(1306, 1304, "#1305");
-  const std::string length = aspect(1310, 1200) + aspect(1312, 1200) +
-                             "#1314=DIMENSIONAL_LOCATION('linear distance','',#1310,#1312);\n" +
-                             step_length(1315, "4.", "nominal value") + step_values(1316, 1314, "#1315");
-  const Outcome drawn = draw_box(rectangle_target() + sides + width + length, {"--frame", "none"});
+  return aspect(number, one) + aspect(number + 2, other) + n(number + 4) +
+         "=DIMENSIONAL_LOCATION('linear distance',''," + n(number) + "," + n(number + 2) + ");\n" +
+         step_length(number + 5, value, "nominal value") + step_values(number + 6, number + 4, n(number + 5));
+}
+
+// Dimensions between the sides of a target say its size.
+TEST_F(PmiPlaces, DimensionsBetweenLinesOnAFaceAreDrawn) {
+  const std::string width = between(1300, 1200, 1210, "6."), length = between(1310, 1200, 1200, "4.");
+  const Outcome drawn = draw_box(rectangle_target() + sides() + width + length, {"--frame", "none"});
   EXPECT_IMPORTER();
   EXPECT_EQ(drawn.code, 0) << drawn.err;
   for (const char* id : {"#1100", "#1304", "#1314"}) EXPECT_EQ(row(id)["view"].text, "top") << id;
@@ -114,11 +119,46 @@ TEST_F(PmiPlaces, DimensionsBetweenLinesOnAFaceAreDrawn) {
   EXPECT_EQ(says("4×6"), 0);
   EXPECT_EQ(draw_box(rectangle_target()).code, 0);
   EXPECT_EQ(says("4×6"), 1);
-  const std::string wrong = aspect(1320, 1200) + aspect(1322, 1210) +
-                            "#1324=DIMENSIONAL_LOCATION('linear distance','',#1320,#1322);\n" +
-                            step_length(1325, "7.", "nominal value") + step_values(1326, 1324, "#1325");
-  EXPECT_EQ(draw_box(sides + wrong).code, 1);
+  EXPECT_EQ(draw_box(sides() + between(1320, 1200, 1210, "7.")).code, 1);
   EXPECT_EQ(row("#1324")["reason"].text, "its lines have no distance of this length in one direction");
+}
+
+// Of two sides that meet, the one that is as long as required.
+TEST_F(PmiPlaces, ADimensionOfSidesThatMeetIsTheLengthOfOne) {
+  const std::string target = rectangle_target() + sides();
+  for (const char* value : {"6.", "4."}) {
+    const Outcome drawn = draw_box(target + between(1300, 1200, 1220, value), {"--frame", "none"});
+    EXPECT_IMPORTER();
+    EXPECT_EQ(drawn.code, 0) << drawn.err;
+    EXPECT_EQ(row("#1304")["view"].text, "top");
+    EXPECT_EQ(says(std::string(value, 1)), 1) << value;
+    EXPECT_EQ(says("4×6"), 1) << "one dimension does not say both";
+  }
+  EXPECT_EQ(draw_box(target + between(1300, 1200, 1220, "5.")).code, 1);
+  EXPECT_EQ(row("#1304")["reason"].text, "its lines have no distance of this length in one direction");
+}
+
+// The words of a property.
+std::string note_of(int number, int of, const std::string& text) {
+  return n(number) + "=PROPERTY_DEFINITION('semantic text',''," + n(of) + ");\n" + n(number + 1) +
+         "=PROPERTY_DEFINITION_REPRESENTATION(" + n(number) + "," + n(number + 2) + ");\n" + n(number + 2) +
+         "=REPRESENTATION('',(" + n(number + 3) + "),#30);\n" + n(number + 3) +
+         "=DESCRIPTIVE_REPRESENTATION_ITEM('','" + text + "');\n";
+}
+
+// One of the whole part is in the list of the sheet, one of a face has a leader.
+TEST_F(PmiPlaces, NotesOfAFileAreOnTheSheet) {
+  const Outcome drawn = draw_box(step_aspect(1000, top_face) + note_of(1010, 10, "BREAK EDGES\\X\\0AR0.5 MAX") +
+                                 note_of(1020, 1000, "NO PAINT"));
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_EQ(says("BREAK EDGES"), 1);
+  EXPECT_EQ(says("R0.5 MAX"), 1);
+  EXPECT_EQ(says("NO PAINT"), 1);
+  EXPECT_EQ(row("#1010")["kind"].text, "note");
+  EXPECT_EQ(row("#1010")["view"].type, 'n');
+  EXPECT_NE(row("#1010")["sheet"].type, 'n');
+  EXPECT_NE(row("#1020")["view"].type, 'n');
 }
 
 // What ISO says by a sign and ASME takes for granted, and the other way round.
