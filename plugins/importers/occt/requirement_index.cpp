@@ -17,7 +17,7 @@ struct Join {
   References RequirementIndex::*table;
 };
 
-constexpr std::array<Join, 11> joins{
+constexpr std::array<Join, 13> joins{
     {{"GEOMETRIC_ITEM_SPECIFIC_USAGE", 2, 4, &RequirementIndex::items},
      {"ITEM_IDENTIFIED_REPRESENTATION_USAGE", 2, 4, &RequirementIndex::items},
      {"SHAPE_ASPECT_RELATIONSHIP", 2, 3, &RequirementIndex::parts},
@@ -28,7 +28,9 @@ constexpr std::array<Join, 11> joins{
      {"PROPERTY_DEFINITION_REPRESENTATION", 0, 1, &RequirementIndex::representations},
      {"PLUS_MINUS_TOLERANCE", 1, 0, &RequirementIndex::bounds},
      {"TOLERANCE_ZONE", 4, 5, &RequirementIndex::zones},
-     {"MEASURE_QUALIFICATION", 2, 3, &RequirementIndex::qualifiers}}};
+     {"MEASURE_QUALIFICATION", 2, 3, &RequirementIndex::qualifiers},
+     {"DRAUGHTING_MODEL_ITEM_ASSOCIATION", 4, 2, &RequirementIndex::shown},
+     {"DRAUGHTING_MODEL_ITEM_ASSOCIATION_WITH_PLACEHOLDER", 4, 2, &RequirementIndex::shown}}};
 
 void add(RequirementIndex& index, const Join& join, const Record& record) {
   const std::vector<EntityNumber> others = references_in(argument_of(record, join.to));

@@ -18,7 +18,8 @@ struct RequirementIndex {
   References features;         ///< of a datum: its features and targets
   References datums;           ///< of a feature or target
   References representations;  ///< of a dimension or a property
-  References properties;       ///< of a target: the property whose representation has its place and size
+  References properties;       ///< of a target: the property whose representation has its place and size; of others
+  References shown;            ///< of an annotation or a callout: what it shows
   References bounds;           ///< of a dimension: TOLERANCE_VALUE, LIMITS_AND_FITS
   References zones;            ///< of a tolerance: TOLERANCE_ZONE_FORM
   References above;            ///< of a tolerance: the one in whose frame it stands below

@@ -12,6 +12,7 @@
 #include "datum_references.hpp"
 #include "measures.hpp"
 #include "requirement_index.hpp"
+#include "step_notes.hpp"
 
 namespace occt {
 
@@ -21,12 +22,6 @@ constexpr std::string_view of_tolerance = "_TOLERANCE";
 
 /// Aspects and items of all requirements together. A file of some kilobytes may relate each of many dimensions to many.
 constexpr std::size_t max_items = 1'000'000;
-
-std::string lower_case(std::string text) {
-  for (char& c : text)
-    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
 
 // "PERPENDICULARITY" of "PERPENDICULARITY_TOLERANCE"; empty for records that say something else of a tolerance.
 std::string_view characteristic_in(std::string_view keyword) {
@@ -61,26 +56,22 @@ class RequirementReader {
       requirement.id = "#" + std::to_string(number);
       if (const Record* dimension = dimension_in(statement)) {
         read_dimension(number, *dimension, requirement);
-      } else if (has(statement, is_tolerance)) {
+      } else if (has_record(statement, is_tolerance)) {
         read_tolerance(number, statement, requirement);
       } else if (const Record* datum = record_of(statement, "DATUM")) {
         read_datum(number, *datum, requirement);
-      } else if (has(statement, is_datum)) {
+      } else if (has_record(statement, is_datum)) {
         read_target(number, statement, requirement);
       } else {
         continue;
       }
       found.push_back(std::move(requirement));
     }
+    std::ranges::move(notes_in_step(graph_, index_, items_left_), std::back_inserter(found));
     return found;
   }
 
  private:
-  static bool has(const Statement& statement, bool (*is_one)(std::string_view)) {
-    return std::any_of(statement.records.begin(), statement.records.end(),
-                       [&](const Record& record) { return is_one(record.keyword); });
-  }
-
   const std::vector<EntityNumber>& listed(const References& table, EntityNumber number) const {
     static const std::vector<EntityNumber> none;
     const auto found = table.find(number);
@@ -257,7 +248,7 @@ class RequirementReader {
     bool has_targets = false;
     for (const EntityNumber feature : listed(index_.features, number)) {
       const Statement* statement = graph_.find(feature);
-      const bool is_target = statement != nullptr && has(*statement, is_datum);
+      const bool is_target = statement != nullptr && has_record(*statement, is_datum);
       has_targets = has_targets || is_target;
       add_items(feature, requirement);
       if (is_target) add_area(feature, requirement, false);
@@ -268,6 +259,7 @@ class RequirementReader {
 
   static void take_size(const Measure& length, Requirement& requirement) {
     append(requirement.modifiers, length.name + " " + printed_length(length.value) + " mm");
+    requirement.unit = length.unit;
     const bool is_diameter = length.name == "target diameter";
     if (is_diameter || length.name == "target length") requirement.target_length = length.value;
     if (is_diameter || length.name == "target width") requirement.target_width = length.value;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dimensions, geometric tolerances and datums of a STEP file (ISO 10303-242, ISO 10303-47), as its text states them.
+// Dimensions, geometric tolerances, datums and notes of a STEP file (ISO 10303-242, ISO 10303-47), as its text states
+// them.
 //
 // They are not taken from XCAF: Open CASCADE 7.6 loses the values of tolerances that are given as items of a
 // representation, does not convert nominal values of files in inches but their deviations, and knows no decimals.
@@ -12,7 +13,7 @@
 
 namespace occt {
 
-/// In the order of their numbers. All are there; what could not be read of one is said in `missing`.
+/// In the order of their numbers, notes last. All are there; what could not be read of one is said in `missing`.
 std::vector<Requirement> requirements_in_step(std::string_view text);
 
 bool is_dimension(std::string_view keyword);

@@ -186,7 +186,7 @@ Model read_step(const std::string& file, Construction construction, epura::plugi
   if (model.parts.empty()) throw_shapeless(text, faults);
   model.requirements = requirements_of(reader.Reader(), text);
   model.saved_views = saved_views_of(reader.Reader(), text, model.notes);
-  const std::vector<std::string> unread = unread_in_step(text);
+  const std::vector<std::string> unread = unread_in_step(text, model.requirements);
   model.notes.insert(model.notes.end(), unread.begin(), unread.end());
   return model;
 }

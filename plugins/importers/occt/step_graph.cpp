@@ -10,7 +10,7 @@ namespace occt {
 namespace {
 
 bool tells_of_requirements(std::string_view keyword) {
-  constexpr std::array<std::string_view, 15> parts{"TOLERANCE",
+  constexpr std::array<std::string_view, 20> parts{"TOLERANCE",
                                                    "DIMENSION",
                                                    "DATUM",
                                                    "SHAPE_ASPECT",
@@ -24,10 +24,15 @@ bool tells_of_requirements(std::string_view keyword) {
                                                    "REPRESENTATION_ITEM",
                                                    "PROPERTY_DEFINITION",
                                                    "SHAPE_DEFINITION",
-                                                   "WITH_PARAMETERS"};
-  return keyword == "PRODUCT_DEFINITION_SHAPE" || std::any_of(parts.begin(), parts.end(), [&](std::string_view part) {
-           return keyword.find(part) != std::string_view::npos;
-         });
+                                                   "WITH_PARAMETERS",
+                                                   "ANNOTATION_",
+                                                   "CALLOUT",
+                                                   "TEXT_LITERAL",
+                                                   "COMPOSITE_TEXT",
+                                                   "DRAUGHTING_MODEL_ITEM"};
+  const bool is_one = keyword == "PRODUCT_DEFINITION_SHAPE" || keyword == "REPRESENTATION";
+  return is_one || std::any_of(parts.begin(), parts.end(),
+                               [&](std::string_view part) { return keyword.find(part) != std::string_view::npos; });
 }
 
 void append_utf8(std::string& text, unsigned long code) {
@@ -68,9 +73,7 @@ std::size_t decode(std::string_view text, std::string& to) {
 
 StepGraph::StepGraph(std::string_view text) {
   visit_statements(text, [&](const Statement& statement) {
-    const bool tells = std::any_of(statement.records.begin(), statement.records.end(),
-                                   [](const Record& record) { return tells_of_requirements(record.keyword); });
-    if (tells) statements_.emplace(statement.number, statement);
+    if (has_record(statement, tells_of_requirements)) statements_.emplace(statement.number, statement);
   });
 }
 
@@ -83,6 +86,11 @@ const Record* record_of(const Statement& statement, std::string_view keyword) {
   const auto found = std::find_if(statement.records.begin(), statement.records.end(),
                                   [&](const Record& record) { return record.keyword == keyword; });
   return found == statement.records.end() ? nullptr : &*found;
+}
+
+bool has_record(const Statement& statement, bool (*is_one)(std::string_view keyword)) {
+  return std::any_of(statement.records.begin(), statement.records.end(),
+                     [&](const Record& record) { return is_one(record.keyword); });
 }
 
 std::string_view argument_of(const Record& record, std::size_t place) {
@@ -101,9 +109,15 @@ std::vector<EntityNumber> references_in(std::string_view text) {
   return numbers;
 }
 
+std::string lower_case(std::string text) {
+  for (char& c : text)
+    if ('A' <= c && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return text;
+}
+
 std::string words_of(std::string_view keyword) {
-  std::string words(keyword);
-  for (char& c : words) c = c == '_' ? ' ' : 'A' <= c && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  std::string words = lower_case(std::string(keyword));
+  std::ranges::replace(words, '_', ' ');
   return words;
 }
 

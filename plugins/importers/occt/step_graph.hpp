@@ -15,7 +15,8 @@ using EntityNumber = unsigned long long;
 
 class StepGraph {
  public:
-  /// Keeps statements about shape aspects, dimensions, tolerances, datums, measures and units; geometry is skipped.
+  /// Keeps statements about shape aspects, dimensions, tolerances, datums, measures, units and annotations; geometry is
+  /// skipped.
   /// They refer to the text, which must remain.
   explicit StepGraph(std::string_view text);
 
@@ -29,6 +30,8 @@ class StepGraph {
 
 /// The record of this kind; null if the statement has none.
 const Record* record_of(const Statement& statement, std::string_view keyword);
+
+bool has_record(const Statement& statement, bool (*is_one)(std::string_view keyword));
 
 /// The argument at this place, from 0; empty if there are fewer.
 std::string_view argument_of(const Record& record, std::size_t place);
@@ -45,6 +48,9 @@ std::vector<std::string> enumerations_in(std::string_view text);
 
 /// The text between apostrophes in UTF-8; empty if there are none.
 std::string unquoted(std::string_view text);
+
+/// With small letters from A to Z.
+std::string lower_case(std::string text);
 
 /// "SURFACE_PROFILE" as "surface profile".
 std::string words_of(std::string_view keyword);

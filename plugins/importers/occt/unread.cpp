@@ -79,6 +79,11 @@ bool is_body(std::string_view keyword) {
 /// Goes through the statements of a STEP file. Dimensions, tolerances, datums and saved views are read elsewhere.
 class StepCounter {
  public:
+  explicit StepCounter(const std::vector<Requirement>& read) {
+    for (const Requirement& one : read)
+      if (one.kind == EPURA_NOTE) notes_.insert(reference_in(one.id));
+  }
+
   void see(const Statement& statement) {
     std::set<Thing> things;
     for (const Record& record : statement.records) {
@@ -148,7 +153,8 @@ class StepCounter {
     const auto& pictures = callouts_.empty() ? annotations_ : callouts_;
     return static_cast<std::size_t>(std::count_if(pictures.begin(), pictures.end(), [this](unsigned long long picture) {
       const auto [first, last] = shown_by_.equal_range(picture);
-      return std::none_of(first, last, [this](const auto& pair) { return requirements_.contains(pair.second); });
+      return !notes_.contains(picture) &&
+             std::none_of(first, last, [this](const auto& pair) { return requirements_.contains(pair.second); });
     }));
   }
 
@@ -164,7 +170,7 @@ class StepCounter {
   }
 
   Counts counts_;
-  std::set<unsigned long long> callouts_, annotations_, requirements_;
+  std::set<unsigned long long> callouts_, annotations_, requirements_, notes_;
   std::multimap<unsigned long long, unsigned long long> shown_by_;  ///< what annotations and callouts show
   std::map<std::string, std::size_t> unread_;                       ///< entities that say more of requirements
   std::set<unsigned long long> layers_, hidden_, bodies_;
@@ -173,8 +179,8 @@ class StepCounter {
 
 }  // namespace
 
-std::vector<std::string> unread_in_step(std::string_view text) {
-  StepCounter counter;
+std::vector<std::string> unread_in_step(std::string_view text, const std::vector<Requirement>& requirements) {
+  StepCounter counter(requirements);
   visit_statements(text, [&](const Statement& statement) { counter.see(statement); });
   return counter.sentences();
 }

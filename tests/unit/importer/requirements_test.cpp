@@ -298,6 +298,50 @@ TEST(Requirements, PicturesWithoutAMeaningAreCounted) {
   EXPECT_EQ(pictures("#9001=DIMENSIONAL_SIZE(#10,'diameter');\n"), "");
 }
 
+// The words of a property: of a callout, of an aspect, of the product. The picture of a dimension is no note.
+std::string words(int number, int of, const std::string& name, const std::string& item, const std::string& text) {
+  const auto n = [number](int more) { return "#" + std::to_string(number + more); };
+  return n(0) + "=PROPERTY_DEFINITION('" + name + "','',#" + std::to_string(of) + ");\n" + n(1) +
+         "=PROPERTY_DEFINITION_REPRESENTATION(" + n(0) + "," + n(2) + ");\n" + n(2) + "=REPRESENTATION('',(" + n(3) +
+         "),#30);\n" + n(3) + "=DESCRIPTIVE_REPRESENTATION_ITEM('" + item + "','" + text + "');\n";
+}
+
+std::string picture(int number, const std::string& name, int shows) {
+  const auto n = [number](int more) { return "#" + std::to_string(number + more); };
+  return n(0) + "=ANNOTATION_CURVE_OCCURRENCE('',(),#200);\n" + n(1) + "=DRAUGHTING_CALLOUT('" + name + "',(" + n(0) +
+         "));\n" + n(2) + "=DRAUGHTING_MODEL_ITEM_ASSOCIATION('','',#" + std::to_string(shows) + ",#50," + n(1) +
+         ");\n";
+}
+
+TEST(Requirements, WordsOfPicturesAndPropertiesAreNotes) {
+  const std::string unicode = "equivalent unicode string";
+  const ReadModel model =
+      read(step_aspect(1000, top_face) + picture(1010, "General note (1)", 10) +
+           words(1020, 1011, "pmi validation property", unicode, "ALL EDGES\\X\\0AR0.5 MAX") +
+           picture(1030, "Note (2)", 1000) + words(1040, 1031, "", unicode, "POLISH \\X2\\00B1\\X0\\") +
+           "#1050=DIMENSIONAL_SIZE(#1000,'diameter');\n" + picture(1060, "Dimension", 1050) +
+           words(1070, 1061, "", unicode, "8") + words(1080, 1000, "semantic text", "", "NO PAINT") +
+           words(1090, 10, "user defined attribute", "Description", "a box"));
+  std::string found;
+  for (const ModelRequirement& one : model.requirements)
+    if (one.kind == RequirementKind::note) found += one.id + " " + one.text + " " + normals(model, one) + "; ";
+  EXPECT_EQ(found, "#1011 ALL EDGES\nR0.5 MAX ; #1031 POLISH ± +z; #1080 NO PAINT +z; ");
+  EXPECT_EQ(named(model, "#1011").name, "General note (1)");
+  for (const std::string& note : model.mesh.report.notes) EXPECT_FALSE(contains(note, "without a meaning")) << note;
+}
+
+// Letters that the file has as such, one below the other.
+TEST(Requirements, LettersOfAnnotationsAreNotes) {
+  const ReadModel model = read(
+      "#1000=ANNOTATION_TEXT_OCCURRENCE('note',(),#1001);\n#1001=COMPOSITE_TEXT('',(#1002,#1003,#1001));\n"
+      "#1002=TEXT_LITERAL('','HEAT TREAT',$,'left',.RIGHT.,$);\n"
+      "#1003=(GEOMETRIC_REPRESENTATION_ITEM()REPRESENTATION_ITEM('')TEXT_LITERAL('58 HRC',$,'left',.RIGHT.,$));\n"
+      "#1004=ANNOTATION_TEXT_OCCURRENCE('',(),#9999);\n");
+  ASSERT_EQ(model.requirements.size(), 1U);
+  EXPECT_EQ(model.requirements.front().id, "#1000");
+  EXPECT_EQ(model.requirements.front().text, "HEAT TREAT\n58 HRC");
+}
+
 TEST(Requirements, ADatumReferenceToItselfIsSaid) {
   const ReadModel model = read(
       "#1120=DATUM_REFERENCE_COMPARTMENT('','',#10,.F.,COMMON_DATUM_LIST((#1121)),$);\n"

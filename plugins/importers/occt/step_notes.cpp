@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "step_notes.hpp"
+
+#include <algorithm>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "requirements.hpp"
+
+namespace occt {
+
+namespace {
+
+bool is_picture(std::string_view keyword) {
+  return keyword == "DRAUGHTING_CALLOUT" ||
+         (keyword.find("ANNOTATION_") != std::string_view::npos && keyword.ends_with("OCCURRENCE"));
+}
+
+// Properties and items of this name are words for people, whatever they belong to.
+bool names_words(std::string_view name) {
+  const std::string plain = lower_case(std::string(name));
+  return plain == "equivalent unicode string" || plain == "semantic text" || plain == "note" ||
+         plain.ends_with(" note") || plain == "notes";
+}
+
+class NoteReader {
+ public:
+  NoteReader(const StepGraph& graph, const RequirementIndex& index, std::size_t& items_left)
+      : graph_(graph), index_(index), items_left_(items_left) {
+    for (const auto& [number, statement] : graph_.statements())
+      if (const Record* callout = record_of(statement, "DRAUGHTING_CALLOUT"))
+        for (const EntityNumber part : references_in(argument_of(*callout, 1))) parts_.insert(part);
+  }
+
+  std::vector<Requirement> read() {
+    std::vector<Requirement> notes;
+    for (const auto& [number, statement] : graph_.statements()) {
+      Requirement note;
+      if (has_record(statement, is_picture) && parts_.count(number) == 0)
+        read_picture(number, statement, note);
+      else if (const Record* property = record_of(statement, "PROPERTY_DEFINITION"))
+        read_property(number, *property, note);
+      if (note.text.empty()) continue;
+      note.kind = EPURA_NOTE;
+      note.id = "#" + std::to_string(number);
+      note.type = "note";
+      notes.push_back(std::move(note));
+    }
+    return notes;
+  }
+
+ private:
+  const std::vector<EntityNumber>& listed(const References& table, EntityNumber number) const {
+    static const std::vector<EntityNumber> none;
+    const auto found = table.find(number);
+    return found == table.end() ? none : found->second;
+  }
+
+  void add_items(EntityNumber aspect, Requirement& note) {
+    const std::vector<EntityNumber> items = items_of(index_, aspect, items_left_);
+    note.items.insert(note.items.end(), items.begin(), items.end());
+  }
+
+  // A callout and the annotations of which it consists have their words as properties or as letters.
+  void read_picture(EntityNumber number, const Statement& picture, Requirement& note) {
+    std::vector<EntityNumber> all{number};
+    if (const Record* callout = record_of(picture, "DRAUGHTING_CALLOUT")) {
+      note.name = unquoted(argument_of(*callout, 0));
+      for (const EntityNumber part : references_in(argument_of(*callout, 1))) all.push_back(part);
+    }
+    std::set<EntityNumber> about;
+    for (const EntityNumber one : all)
+      for (const EntityNumber shown : listed(index_.shown, one)) about.insert(shown);
+    if (std::any_of(about.begin(), about.end(), [this](EntityNumber one) { return is_requirement(one); })) return;
+    for (const EntityNumber one : all)
+      for (const EntityNumber property : listed(index_.properties, one)) append(note.text, words_in(property), "\n");
+    if (note.text.empty())
+      for (const EntityNumber one : all) append(note.text, letters_of(one), "\n");
+    if (note.text.empty()) return;
+    for (const EntityNumber aspect : about) add_items(aspect, note);
+  }
+
+  // Of an aspect of the shape, or of the product.
+  void read_property(EntityNumber number, const Record& property, Requirement& note) {
+    const EntityNumber about = reference_in(argument_of(property, 2));
+    const Statement* statement = graph_.find(about);
+    if (statement != nullptr && (has_record(*statement, is_picture) || is_requirement(about))) return;
+    note.name = unquoted(argument_of(property, 0));
+    note.text = words_in(number);
+    if (!note.text.empty()) add_items(about, note);
+  }
+
+  [[nodiscard]] bool is_requirement(EntityNumber number) const {
+    const Statement* statement = graph_.find(number);
+    return statement != nullptr &&
+           (has_record(*statement, is_dimension) || has_record(*statement, is_tolerance) ||
+            has_record(*statement, is_datum) || record_of(*statement, "DATUM_FEATURE") != nullptr);
+  }
+
+  // The words that a property is; empty if it is none.
+  [[nodiscard]] std::string words_in(EntityNumber number) const {
+    const Statement* statement = graph_.find(number);
+    const Record* property = statement == nullptr ? nullptr : record_of(*statement, "PROPERTY_DEFINITION");
+    const bool is_named = property != nullptr && names_words(unquoted(argument_of(*property, 0)));
+    std::string words;
+    for (const EntityNumber representation : listed(index_.representations, number)) {
+      const Statement* whole = graph_.find(representation);
+      const Record* list = whole == nullptr ? nullptr : record_of(*whole, "REPRESENTATION");
+      if (list == nullptr) continue;
+      for (const EntityNumber item : references_in(argument_of(*list, 1))) {
+        const Statement* text = graph_.find(item);
+        const Record* record = text == nullptr ? nullptr : record_of(*text, "DESCRIPTIVE_REPRESENTATION_ITEM");
+        if (record != nullptr && (is_named || names_words(unquoted(argument_of(*record, 0)))))
+          append(words, unquoted(argument_of(*record, 1)), "\n");
+      }
+    }
+    return words;
+  }
+
+  // What an annotation consists of at the end: texts, or texts of texts.
+  [[nodiscard]] std::string letters_of(EntityNumber annotation) const {
+    std::string letters;
+    std::vector<EntityNumber> open{annotation};
+    std::set<EntityNumber> seen{annotation};
+    for (std::size_t i = 0; i < open.size(); ++i) {
+      const Statement* statement = graph_.find(open[i]);
+      if (statement == nullptr) continue;
+      for (const Record& record : statement->records) {
+        if (record.keyword == "TEXT_LITERAL" || record.keyword.starts_with("TEXT_LITERAL_WITH")) {
+          const std::string second = unquoted(argument_of(record, 1));
+          append(letters, second.empty() ? unquoted(argument_of(record, 0)) : second, "\n");
+        } else if (i == 0 || record.keyword.starts_with("COMPOSITE_TEXT")) {
+          for (const EntityNumber part : references_in(record.arguments))
+            if (seen.insert(part).second) open.push_back(part);
+        }
+      }
+    }
+    return letters;
+  }
+
+  const StepGraph& graph_;
+  const RequirementIndex& index_;
+  std::size_t& items_left_;
+  std::set<EntityNumber> parts_{};  ///< annotations of callouts
+};
+
+}  // namespace
+
+std::vector<Requirement> notes_in_step(const StepGraph& graph, const RequirementIndex& index, std::size_t& items_left) {
+  return NoteReader(graph, index, items_left).read();
+}
+
+}  // namespace occt
