@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 #include <string_view>
 #include <utility>
 
@@ -149,12 +150,15 @@ void write_row(pipeline::FinishedSheet& sheet, const scene::SceneDescription& sc
 
 using BoxesBySheet = std::vector<std::vector<sheet::Rectangle>>;
 
+// Changes of different views are in clouds of their own.
 BoxesBySheet changes_of(const compare::Comparison& comparison, std::size_t sheets) {
-  BoxesBySheet changes(sheets);
+  std::map<std::pair<std::size_t, std::string>, std::vector<sheet::Rectangle>> by_view;
   for (const Difference& one : comparison.differences)
     if (const auto page = static_cast<std::size_t>(one.page - 1); is_change(one) && page < sheets)
-      changes[page].push_back({glm::min(one.from, one.to), glm::max(one.from, one.to)});
-  for (std::vector<sheet::Rectangle>& boxes : changes) boxes = sheet::united_changes(std::move(boxes));
+      by_view[{page, one.view}].push_back({glm::min(one.from, one.to), glm::max(one.from, one.to)});
+  BoxesBySheet changes(sheets);
+  for (auto& [place, boxes] : by_view)
+    std::ranges::copy(sheet::united_changes(std::move(boxes)), std::back_inserter(changes[place.first]));
   return changes;
 }
 
