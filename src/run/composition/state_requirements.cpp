@@ -140,8 +140,22 @@ class Statement {
     return true;
   }
 
+  // One that says the same of the same faces is drawn with the other one, or not for its reason.
+  bool is_twin(std::size_t i) {
+    const ModelRequirement& one = file_.all[i];
+    const auto [first, is_new] = stated_.try_emplace({requirement_sentence(one), one.faces, one.lines}, i);
+    if (is_new) return false;
+    const report::RequirementRow& other = file_.rows[first->second];
+    if (const auto drawn = drawn_by_.find(first->second); drawn != drawn_by_.end()) {
+      set_drawn(i, other.view);
+      dimensions_[drawn->second].requirement += " " + key_of(file_, i);
+    }
+    file_.rows[i].why = other.why;
+    return true;
+  }
+
   void add_dimension(std::size_t i) {
-    if (is_said(i)) return;
+    if (is_said(i) || is_twin(i)) return;
     StatedDimension stated = state_dimension(file_.all[i], subject_, where(i));
     file_.rows[i].why = stated.why;
     if (!stated.why.empty()) return;
@@ -296,12 +310,15 @@ class Statement {
     scene::CalloutDescription callout;
     callout.where = where(i);
     callout.requirement = key_of(file_, i);
-    callout.content = note_of(one);
     if (one.faces.empty()) {
+      callout.content = scene::NoteText{{one.text}};
       callout.sheet = {sheet_, callout.where};
-    } else if (!places_.place(callout, one.faces, SymbolPlaces::Ends::anything)) {
-      file_.rows[i].why = not_seen;
-      return;
+    } else {
+      callout.content = note_of(one);
+      if (!places_.place(callout, one.faces, SymbolPlaces::Ends::anything)) {
+        file_.rows[i].why = not_seen;
+        return;
+      }
     }
     set_drawn(i, callout.view.value_or(""));
     scene_.callouts.push_back(std::move(callout));
@@ -358,6 +375,8 @@ class Statement {
   SymbolPlaces places_;
   std::vector<scene::DimensionDescription> dimensions_{};
   std::map<std::size_t, std::size_t> drawn_by_{};  ///< number of the dimension, before equal ones are one
+  /// Number of the first dimension of these words, faces and lines.
+  std::map<std::tuple<std::string, std::vector<int>, std::vector<std::array<double, 6>>>, std::size_t> stated_{};
   /// Numbers of dimensions that have a value, by type and faces; of those between lines, by faces; and of targets, by
   /// the letter of their datum.
   std::map<std::pair<std::string, std::vector<int>>, std::vector<std::size_t>> valued_{};

@@ -74,7 +74,7 @@ bool SymbolPlaces::place(scene::CalloutDescription& callout, const std::vector<i
   if (best == nullptr) return false;
   std::vector<Vec3>& taken = taken_[best->name()];
   const SeenMark& mark = least_crowded(marks, taken);
-  taken.push_back(mark.point);
+  if (std::find(taken.begin(), taken.end(), mark.point) == taken.end()) taken.push_back(mark.point);
   callout.view = {best->name(), callout.where};
   callout.to = {scene::LeaderTarget(scene::Anchor(mark.point)), callout.where};
   return true;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <set>
 #include <string_view>
 #include <utility>
 
@@ -446,18 +447,24 @@ CalloutFaults place_callouts(CalloutLayers& layers, std::span<const Callout> cal
     draw_callout(layers, callout, spot, style);
     faults.places.emplace_back(number_of(callout), turned_box(spot.box));
   }
-  // Those with the least choice first.
-  for (const LeaderForm form : {LeaderForm::datum, LeaderForm::landing, LeaderForm::reference})
+  // Those with the least choice first. Places are only taken: where there is none for one, there is none for its like.
+  for (const LeaderForm form : {LeaderForm::datum, LeaderForm::landing, LeaderForm::reference}) {
+    std::set<std::array<double, 5>> hopeless;
     for (const Callout& callout : callouts) {
       if (callout.at || callout.form != form) continue;
-      if (const auto spot = placer.best(callout, landing)) {
+      const Vec2& to = callout.target->point;
+      const std::array<double, 5> like{to.x, to.y, callout.size.x, callout.size.y, callout.attach};
+      const bool may_have_place = !callout.others.empty() || hopeless.count(like) == 0;
+      if (const auto spot = may_have_place ? placer.best(callout, landing) : std::nullopt) {
         placer.add(*spot);
         draw_callout(layers, callout, *spot, style);
         faults.places.emplace_back(number_of(callout), turned_box(spot->box));
       } else {
+        if (callout.others.empty()) hopeless.insert(like);
         faults.without_place.push_back(number_of(callout));
       }
     }
+  }
   check(faults.places.size() + faults.without_place.size() == callouts.size(), "every callout is placed or reported");
   return faults;
 }
