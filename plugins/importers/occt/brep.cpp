@@ -29,14 +29,14 @@ TopoDS_Shape shape_in(const std::string& path, const Message_ProgressRange& prog
 
 }  // namespace
 
-Model read_brep(const std::string& path, Construction construction, epura::plugin::Sink& sink) {
+Model read_brep(const std::string& path, const Beside& beside, epura::plugin::Sink& sink) {
   expect_kind(path, is_brep, "a BREP file of Open CASCADE");
   const Handle(Stage) stage = new Stage(sink, 0, share_of_reading);
   const TopoDS_Shape shape = shape_in(path, stage->Start());
   stage->finish();
   Model model;
   const Attributes attributes;
-  TreeBuilder tree(model, attributes, construction);
+  TreeBuilder tree(model, attributes, beside.construction);
   tree.add(shape, {}, {{}, EPURA_NONE, EPURA_NONE, gp_Trsf()});
   tree.finish();
   return model;

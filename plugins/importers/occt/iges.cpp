@@ -47,7 +47,7 @@ void note_unit(const IGESData_GlobalSection& header, Model& model) {
 
 }  // namespace
 
-Model read_iges(const std::string& path, Construction construction, epura::plugin::Sink& sink) {
+Model read_iges(const std::string& path, const Beside& beside, epura::plugin::Sink& sink) {
   expect_kind(path, is_iges, "an IGES file: column 73 of its first line is not S");
   // Open CASCADE crashes on some files without it.
   if (!has_end(end_of(path))) throw cut_off(path, "the line of section T");
@@ -78,7 +78,7 @@ Model read_iges(const std::string& path, Construction construction, epura::plugi
     const std::string name = name_of(root);
     if (!name.empty()) attributes.names.Bind(shape.Located(TopLoc_Location()), name);
   }
-  TreeBuilder tree(model, attributes, construction);
+  TreeBuilder tree(model, attributes, beside.construction);
   tree.add(everything, {}, {{}, EPURA_NONE, EPURA_NONE, gp_Trsf()});
   tree.finish();
   const std::vector<std::string> unread = unread_in_iges(text_of(path));

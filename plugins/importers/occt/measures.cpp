@@ -119,7 +119,9 @@ Measure measure_of(const StepGraph& graph, EntityNumber number) {
       measure.name = unquoted(argument_of(*item, 0));
   if (const Record* qualified = record_of(*statement, "QUALIFIED_REPRESENTATION_ITEM"))
     qualify(measure, graph, references_in(qualified->arguments));
-  if (const auto unit = unit_of(graph, reference_in(parts->second), 0)) {
+  const auto unit = unit_of(graph, reference_in(parts->second), 0);
+  measure.has_unit = unit.has_value();
+  if (unit) {
     measure.unit = unit->size;
     measure.is_angle = unit->is_angle;
     measure.value = unit->size * number_in(parts->first);
@@ -134,6 +136,14 @@ double length_unit_of(const StepGraph& graph, EntityNumber context) {
     for (const EntityNumber number : references_in(units->arguments))
       if (const auto unit = unit_of(graph, number, 0); unit && !unit->is_angle) return unit->size;
   return std::nan("");
+}
+
+double length_unit_in(std::string_view text) {
+  const StepGraph graph(text);
+  for (const auto& [number, statement] : graph.statements())
+    if (record_of(statement, "GLOBAL_UNIT_ASSIGNED_CONTEXT") != nullptr)
+      if (const double unit = length_unit_of(graph, number); !std::isnan(unit)) return unit;
+  return 1;
 }
 
 std::string printed_length(double value) {

@@ -13,6 +13,7 @@ struct Measure {
   double value = std::numeric_limits<double>::quiet_NaN();  ///< mm or degrees; NaN: none, or its unit is not known
   double unit = 0;                                          ///< of the file, in mm or degrees
   bool is_angle = false;
+  bool has_unit = true;   ///< false: it has a number in a unit that is not known
   int decimals = -1;      ///< that are to be shown in the unit of the file; -1: the file does not say
   std::string name;       ///< "nominal value"
   std::string qualifier;  ///< "maximum"
@@ -23,6 +24,9 @@ Measure measure_of(const StepGraph& graph, EntityNumber number);
 
 /// The unit of length of a context of representations, in mm; NaN: it states none.
 double length_unit_of(const StepGraph& graph, EntityNumber context);
+
+/// The unit of length of the first context in a file that states one, in mm; 1 if none does.
+double length_unit_in(std::string_view text);
 
 /// Adds what these qualifiers say of a measure.
 void qualify(Measure& measure, const StepGraph& graph, const std::vector<EntityNumber>& qualifiers);

@@ -94,6 +94,12 @@ using Products = NCollection_Map<TopoDS_Shape, TopTools_ShapeMapHasher>;
 /// Whether surfaces, lines and points beside the bodies of a part are drawn.
 enum class Construction { omit, draw };
 
+/// What is drawn beside the bodies of a file.
+struct Beside {
+  Construction construction = Construction::omit;
+  bool annotations = false;  ///< lines of those whose meaning is not read
+};
+
 /// What a file says of its shapes.
 struct Attributes {
   Names names;

@@ -15,21 +15,27 @@ namespace {
 using epura::plugin::Sink;
 using epura::plugin::Source;
 
-constexpr std::array<epura_parameter, 3> parameters_of_all{
+constexpr std::array<epura_parameter, 4> parameters_of_step{
     epura::plugin::number("deflection", "mm",
                           "distance between curved surfaces and their facets; as the drawing needs unless given",
                           epura::plugin::from_box, 1e-6, 1e6),
     epura::plugin::number("angle", "deg", "between neighbouring facets of a round face at most", 20, 1, 60),
     epura::plugin::choice("construction", "datum planes, sketches and points beside the solids of a part", "omit|draw",
-                          0)};
+                          0),
+    epura::plugin::choice("annotations", "lines of annotations without a meaning that is read", "omit|draw", 0)};
 
-using Read = occt::Model (*)(const std::string&, occt::Construction, Sink&);
+/// Annotations are read of STEP only.
+constexpr std::array<epura_parameter, 3> parameters_of_all{parameters_of_step[0], parameters_of_step[1],
+                                                           parameters_of_step[2]};
+
+using Read = occt::Model (*)(const std::string&, const occt::Beside&, Sink&);
 
 void import(Read read, const Source& source, Sink& sink) {
   const occt::Silence silence;
   occt::Complaints::install();
   const auto construction = source.values[2] != 0 ? occt::Construction::draw : occt::Construction::omit;
-  occt::Model model = occt::guarded("cannot be read", [&] { return read(source.path, construction, sink); });
+  const occt::Beside beside{construction, read == occt::read_step && source.values[3] != 0};
+  occt::Model model = occt::guarded("cannot be read", [&] { return read(source.path, beside, sink); });
   if (model.parts.empty())
     throw std::runtime_error("holds no face and no line to draw" +
                              (model.notes.empty() ? std::string() : ": " + model.notes.front()));
@@ -49,7 +55,7 @@ struct Step {
   static constexpr auto name = "step";
   static constexpr auto summary = "STEP (ISO 10303-21: AP203, AP214, AP242), by Open CASCADE";
   static constexpr auto extensions = "step|stp|p21";
-  static constexpr auto& parameters = parameters_of_all;
+  static constexpr auto& parameters = parameters_of_step;
 
   static bool recognises(std::string_view first_bytes) { return occt::is_step(first_bytes); }
   static void read(const Source& source, Sink& sink) { import(occt::read_step, source, sink); }

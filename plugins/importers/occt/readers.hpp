@@ -11,9 +11,9 @@
 
 namespace occt {
 
-Model read_step(const std::string& path, Construction construction, epura::plugin::Sink& sink);
-Model read_iges(const std::string& path, Construction construction, epura::plugin::Sink& sink);
-Model read_brep(const std::string& path, Construction construction, epura::plugin::Sink& sink);
+Model read_step(const std::string& path, const Beside& beside, epura::plugin::Sink& sink);
+Model read_iges(const std::string& path, const Beside& beside, epura::plugin::Sink& sink);
+Model read_brep(const std::string& path, const Beside& beside, epura::plugin::Sink& sink);
 
 /// The share of reading in the work reported by Sink::progress.
 inline constexpr double share_of_reading = 0.5;

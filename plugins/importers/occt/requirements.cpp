@@ -45,11 +45,15 @@ const Record* dimension_in(const Statement& statement) {
   return found == statement.records.end() ? nullptr : &*found;
 }
 
+const char* lack_of(const Measure& measure, const char* otherwise) {
+  return measure.has_unit ? otherwise : "the unit of a value";
+}
+
 class RequirementReader {
  public:
   explicit RequirementReader(std::string_view text) : graph_(text), index_(index_of(graph_)) {}
 
-  std::vector<Requirement> read() {
+  StepRequirements read() {
     std::vector<Requirement> found;
     for (const auto& [number, statement] : graph_.statements()) {
       Requirement requirement;
@@ -67,8 +71,9 @@ class RequirementReader {
       }
       found.push_back(std::move(requirement));
     }
-    std::ranges::move(notes_in_step(graph_, index_, items_left_), std::back_inserter(found));
-    return found;
+    Notes notes = notes_in_step(graph_, index_, items_left_);
+    std::ranges::move(notes.all, std::back_inserter(found));
+    return {std::move(found), std::move(notes.wordless)};
   }
 
  private:
@@ -106,7 +111,8 @@ class RequirementReader {
         if (const Record* items = record_of(*statement, "SHAPE_DIMENSION_REPRESENTATION"))
           read_values(references_in(argument_of(*items, 1)), requirement);
     for (const EntityNumber range : listed(index_.bounds, number)) read_bounds(range, requirement);
-    if (std::isnan(requirement.value) && requirement.bounds != EPURA_LIMITS) append(requirement.missing, "a value");
+    if (std::isnan(requirement.value) && requirement.bounds != EPURA_LIMITS && requirement.missing.empty())
+      append(requirement.missing, "a value");
     if (requirement.items.empty()) append(requirement.missing, "a face that it belongs to");
   }
 
@@ -127,7 +133,7 @@ class RequirementReader {
   }
 
   static void take(const Measure& measure, Requirement& requirement) {
-    if (std::isnan(measure.value)) return append(requirement.missing, "the unit of a value");
+    if (std::isnan(measure.value)) return append(requirement.missing, lack_of(measure, "an item of its values"));
     requirement.is_angle = measure.is_angle;
     requirement.unit = measure.unit;
     requirement.decimals = std::max(requirement.decimals, measure.decimals);
@@ -182,7 +188,7 @@ class RequirementReader {
     requirement.unit = magnitude.unit;
     requirement.decimals = magnitude.decimals;
     requirement.is_angle = magnitude.is_angle;
-    if (std::isnan(requirement.value)) append(requirement.missing, "a value");
+    if (std::isnan(requirement.value)) append(requirement.missing, lack_of(magnitude, "a value"));
     find_place(reference_in(argument_of(*whole, 3)), requirement);
     for (const EntityNumber form : listed(index_.zones, number))
       if (const Statement* zone = graph_.find(form))
@@ -327,6 +333,6 @@ bool is_datum(std::string_view keyword) {
   return keyword == "DATUM" || keyword == "PLACED_DATUM_TARGET_FEATURE" || keyword == "DATUM_TARGET";
 }
 
-std::vector<Requirement> requirements_in_step(std::string_view text) { return RequirementReader(text).read(); }
+StepRequirements requirements_in_step(std::string_view text) { return RequirementReader(text).read(); }
 
 }  // namespace occt

@@ -10,11 +10,17 @@
 #include <vector>
 
 #include "model.hpp"
+#include "step_graph.hpp"
 
 namespace occt {
 
-/// In the order of their numbers, notes last. All are there; what could not be read of one is said in `missing`.
-std::vector<Requirement> requirements_in_step(std::string_view text);
+struct StepRequirements {
+  std::vector<Requirement> all{};        ///< in the order of their numbers, notes last
+  std::vector<EntityNumber> pictures{};  ///< annotations that show none of them
+};
+
+/// All are there; what could not be read of one is said in `missing`.
+StepRequirements requirements_in_step(std::string_view text);
 
 bool is_dimension(std::string_view keyword);
 bool is_tolerance(std::string_view keyword);

@@ -58,15 +58,6 @@ void name_apart(SavedView& view, const std::vector<SavedView>& others) {
     view.name = name + " " + std::to_string(number);
 }
 
-// Of the first context that states one; 1 if none does.
-double length_unit_in(std::string_view text) {
-  const StepGraph graph(text);
-  for (const auto& [number, statement] : graph.statements())
-    if (record_of(statement, "GLOBAL_UNIT_ASSIGNED_CONTEXT") != nullptr)
-      if (const double unit = length_unit_of(graph, number); !std::isnan(unit)) return unit;
-  return 1;
-}
-
 }  // namespace
 
 std::vector<SavedView> saved_views_of(const STEPControl_Reader& reader, std::string_view text,

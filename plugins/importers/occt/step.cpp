@@ -28,6 +28,7 @@
 #include "saved_views.hpp"
 #include "session.hpp"
 #include "step_checks.hpp"
+#include "step_pictures.hpp"
 #include "tree.hpp"
 #include "unread.hpp"
 
@@ -126,11 +127,13 @@ std::vector<TopoDS_Shape> shapes_without_products(STEPControl_Reader& reader) {
   return shapes;
 }
 
-/// The requirements of the file, on the faces that have become shapes.
-std::vector<Requirement> requirements_of(const STEPControl_Reader& reader, std::string_view text) {
-  std::vector<Requirement> requirements = requirements_in_step(text);
-  find_faces(requirements, reader);
-  return requirements;
+/// Lines of annotations that say nothing else, or how many are not drawn.
+void add_annotations(Model& model, std::string_view text, const std::vector<EntityNumber>& pictures, bool are_drawn) {
+  const std::size_t lost = pictures.size() - (are_drawn ? add_pictures(model, text, pictures) : 0);
+  if (lost == 0) return;
+  model.notes.push_back(counted(lost, "annotation") + " of the file " + (lost == 1 ? "is a picture" : "are pictures") +
+                        " without a meaning that is read: not drawn" +
+                        (are_drawn || !may_have_pictures(model) ? "" : " (FILE:annotations=draw draws its lines)"));
 }
 
 [[noreturn]] void throw_shapeless(const std::string& text, const std::string& faults) {
@@ -141,7 +144,7 @@ std::vector<Requirement> requirements_of(const STEPControl_Reader& reader, std::
 
 }  // namespace
 
-Model read_step(const std::string& file, Construction construction, epura::plugin::Sink& sink) {
+Model read_step(const std::string& file, const Beside& beside, epura::plugin::Sink& sink) {
   // By default, Open CASCADE looks for referenced files in the working folder.
   const std::string path = std::filesystem::absolute(file).string();
   expect_kind(path, is_step, "a STEP file: it does not begin with ISO-10303-21");
@@ -175,7 +178,7 @@ Model read_step(const std::string& file, Construction construction, epura::plugi
   const bool is_transferred = reader.Transfer(document, stage->Start());
   stage->finish();
   const Attributes attributes{names_of_bodies(reader.Reader()), colours_of(document), products_of(reader.Reader())};
-  TreeBuilder tree(model, attributes, construction);
+  TreeBuilder tree(model, attributes, beside.construction);
   if (is_transferred)
     add_document(document, tree);
   else
@@ -184,9 +187,12 @@ Model read_step(const std::string& file, Construction construction, epura::plugi
   tree.finish();
   const std::string text = text_of(path);
   if (model.parts.empty()) throw_shapeless(text, faults);
-  model.requirements = requirements_of(reader.Reader(), text);
+  StepRequirements stated = requirements_in_step(text);
+  find_faces(stated.all, reader.Reader());
+  model.requirements = std::move(stated.all);
   model.saved_views = saved_views_of(reader.Reader(), text, model.notes);
-  const std::vector<std::string> unread = unread_in_step(text, model.requirements);
+  add_annotations(model, text, stated.pictures, beside.annotations);
+  const std::vector<std::string> unread = unread_in_step(text);
   model.notes.insert(model.notes.end(), unread.begin(), unread.end());
   return model;
 }

@@ -33,19 +33,21 @@ class NoteReader {
         for (const EntityNumber part : references_in(argument_of(*callout, 1))) parts_.insert(part);
   }
 
-  std::vector<Requirement> read() {
-    std::vector<Requirement> notes;
+  Notes read() {
+    Notes notes;
     for (const auto& [number, statement] : graph_.statements()) {
       Requirement note;
-      if (has_record(statement, is_picture) && parts_.count(number) == 0)
-        read_picture(number, statement, note);
-      else if (const Record* property = record_of(statement, "PROPERTY_DEFINITION"))
+      if (has_record(statement, is_picture) && parts_.count(number) == 0) {
+        const bool may_be_lost = !read_picture(number, statement, note) && is_whole(statement);
+        if (may_be_lost && note.text.empty()) notes.wordless.push_back(number);
+      } else if (const Record* property = record_of(statement, "PROPERTY_DEFINITION")) {
         read_property(number, *property, note);
+      }
       if (note.text.empty()) continue;
       note.kind = EPURA_NOTE;
       note.id = "#" + std::to_string(number);
       note.type = "note";
-      notes.push_back(std::move(note));
+      notes.all.push_back(std::move(note));
     }
     return notes;
   }
@@ -62,8 +64,14 @@ class NoteReader {
     note.items.insert(note.items.end(), items.begin(), items.end());
   }
 
-  // A callout and the annotations of which it consists have their words as properties or as letters.
-  void read_picture(EntityNumber number, const Statement& picture, Requirement& note) {
+  // Where a file has callouts, annotations beside them are parts of such, too.
+  [[nodiscard]] bool is_whole(const Statement& picture) const {
+    return parts_.empty() || record_of(picture, "DRAUGHTING_CALLOUT") != nullptr;
+  }
+
+  // A callout and the annotations of which it consists have their words as properties or as letters. Returns whether
+  // they show a requirement.
+  bool read_picture(EntityNumber number, const Statement& picture, Requirement& note) {
     std::vector<EntityNumber> all{number};
     if (const Record* callout = record_of(picture, "DRAUGHTING_CALLOUT")) {
       note.name = unquoted(argument_of(*callout, 0));
@@ -72,13 +80,14 @@ class NoteReader {
     std::set<EntityNumber> about;
     for (const EntityNumber one : all)
       for (const EntityNumber shown : listed(index_.shown, one)) about.insert(shown);
-    if (std::any_of(about.begin(), about.end(), [this](EntityNumber one) { return is_requirement(one); })) return;
+    if (std::any_of(about.begin(), about.end(), [this](EntityNumber one) { return is_requirement(one); })) return true;
     for (const EntityNumber one : all)
-      for (const EntityNumber property : listed(index_.properties, one)) append(note.text, words_in(property), "\n");
+      for (const EntityNumber property : listed(index_.properties, one)) append(note.text, words_in(property), " ");
     if (note.text.empty())
-      for (const EntityNumber one : all) append(note.text, letters_of(one), "\n");
-    if (note.text.empty()) return;
-    for (const EntityNumber aspect : about) add_items(aspect, note);
+      for (const EntityNumber one : all) append(note.text, letters_of(one), " ");
+    if (!note.text.empty())
+      for (const EntityNumber aspect : about) add_items(aspect, note);
+    return false;
   }
 
   // Of an aspect of the shape, or of the product.
@@ -112,13 +121,13 @@ class NoteReader {
         const Statement* text = graph_.find(item);
         const Record* record = text == nullptr ? nullptr : record_of(*text, "DESCRIPTIVE_REPRESENTATION_ITEM");
         if (record != nullptr && (is_named || names_words(unquoted(argument_of(*record, 0)))))
-          append(words, unquoted(argument_of(*record, 1)), "\n");
+          append(words, unquoted(argument_of(*record, 1)), " ");
       }
     }
     return words;
   }
 
-  // What an annotation consists of at the end: texts, or texts of texts.
+  // What an annotation consists of at the end: texts, or texts of texts. The border has texts of one line.
   [[nodiscard]] std::string letters_of(EntityNumber annotation) const {
     std::string letters;
     std::vector<EntityNumber> open{annotation};
@@ -129,7 +138,7 @@ class NoteReader {
       for (const Record& record : statement->records) {
         if (record.keyword == "TEXT_LITERAL" || record.keyword.starts_with("TEXT_LITERAL_WITH")) {
           const std::string second = unquoted(argument_of(record, 1));
-          append(letters, second.empty() ? unquoted(argument_of(record, 0)) : second, "\n");
+          append(letters, second.empty() ? unquoted(argument_of(record, 0)) : second, " ");
         } else if (i == 0 || record.keyword.starts_with("COMPOSITE_TEXT")) {
           for (const EntityNumber part : references_in(record.arguments))
             if (seen.insert(part).second) open.push_back(part);
@@ -147,7 +156,7 @@ class NoteReader {
 
 }  // namespace
 
-std::vector<Requirement> notes_in_step(const StepGraph& graph, const RequirementIndex& index, std::size_t& items_left) {
+Notes notes_in_step(const StepGraph& graph, const RequirementIndex& index, std::size_t& items_left) {
   return NoteReader(graph, index, items_left).read();
 }
 

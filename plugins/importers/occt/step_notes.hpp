@@ -11,8 +11,13 @@
 
 namespace occt {
 
-/// In the order of their numbers. Those whose annotation belongs to aspects of the shape have their items, as many as
-/// `items_left`; the others are about the whole part.
-std::vector<Requirement> notes_in_step(const StepGraph& graph, const RequirementIndex& index, std::size_t& items_left);
+struct Notes {
+  std::vector<Requirement> all{};        ///< in the order of their numbers
+  std::vector<EntityNumber> wordless{};  ///< annotations that show no requirement either: callouts, if there are any
+};
+
+/// Notes whose annotation belongs to aspects of the shape have their items, as many as `items_left`; the others are
+/// about the whole part.
+Notes notes_in_step(const StepGraph& graph, const RequirementIndex& index, std::size_t& items_left);
 
 }  // namespace occt

@@ -79,16 +79,10 @@ bool is_body(std::string_view keyword) {
 /// Goes through the statements of a STEP file. Dimensions, tolerances, datums and saved views are read elsewhere.
 class StepCounter {
  public:
-  explicit StepCounter(const std::vector<Requirement>& read) {
-    for (const Requirement& one : read)
-      if (one.kind == EPURA_NOTE) notes_.insert(reference_in(one.id));
-  }
-
   void see(const Statement& statement) {
     std::set<Thing> things;
     for (const Record& record : statement.records) {
       if (const Thing* thing = thing_of(record.keyword)) things.insert(*thing);
-      note_meaning(statement.number, record);
       if (is_unread_requirement(record.keyword)) ++unread_[std::string(record.keyword)];
       if (record.keyword == "PRESENTATION_LAYER_ASSIGNMENT") layers_.insert(statement.number);
       if (record.keyword == "INVISIBILITY") note_hidden(record.arguments);
@@ -101,10 +95,6 @@ class StepCounter {
   [[nodiscard]] std::vector<std::string> sentences() const {
     std::vector<std::string> sentences;
     if (std::string sentence = sentence_of(counts_); !sentence.empty()) sentences.push_back(std::move(sentence));
-    if (const std::size_t count = meaningless(); count > 0)
-      sentences.push_back(counted(count, "annotation") + " of the file " +
-                          (count == 1 ? "is a picture" : "are pictures") +
-                          " without a meaning that is read: not drawn");
     std::string unread;
     for (const auto& [keyword, count] : unread_)
       unread += (unread.empty() ? "" : ", ") + std::to_string(count) + " " + keyword;
@@ -134,30 +124,6 @@ class StepCounter {
     return found == exact.end() ? nullptr : &found->second;
   }
 
-  // Which pictures there are, and which of them show a requirement.
-  void note_meaning(unsigned long long number, const Record& record) {
-    constexpr std::array<std::string_view, 4> kinds{"ANNOTATION_OCCURRENCE", "DRAUGHTING_ANNOTATION_OCCURRENCE",
-                                                    "ANNOTATION_CURVE_OCCURRENCE", "TESSELLATED_ANNOTATION_OCCURRENCE"};
-    const std::string_view keyword = record.keyword;
-    if (keyword == "DRAUGHTING_CALLOUT") callouts_.insert(number);
-    if (std::find(kinds.begin(), kinds.end(), keyword) != kinds.end()) annotations_.insert(number);
-    if (keyword == "DATUM_FEATURE" || is_dimension(keyword) || is_tolerance(keyword) || is_datum(keyword))
-      requirements_.insert(number);
-    if (!keyword.starts_with("DRAUGHTING_MODEL_ITEM_ASSOCIATION")) return;
-    const std::vector<std::string_view> arguments = separated(record.arguments);
-    if (arguments.size() > 4) shown_by_.emplace(reference_in(arguments[4]), reference_in(arguments[2]));
-  }
-
-  // A callout is one or several annotations that belong together.
-  [[nodiscard]] std::size_t meaningless() const {
-    const auto& pictures = callouts_.empty() ? annotations_ : callouts_;
-    return static_cast<std::size_t>(std::count_if(pictures.begin(), pictures.end(), [this](unsigned long long picture) {
-      const auto [first, last] = shown_by_.equal_range(picture);
-      return !notes_.contains(picture) &&
-             std::none_of(first, last, [this](const auto& pair) { return requirements_.contains(pair.second); });
-    }));
-  }
-
   void note_hidden(std::string_view arguments) {
     for (const std::string_view list : arguments_of(arguments))
       for (const std::string_view item : arguments_of(list)) hidden_.insert(reference_in(item));
@@ -170,17 +136,15 @@ class StepCounter {
   }
 
   Counts counts_;
-  std::set<unsigned long long> callouts_, annotations_, requirements_, notes_;
-  std::multimap<unsigned long long, unsigned long long> shown_by_;  ///< what annotations and callouts show
-  std::map<std::string, std::size_t> unread_;                       ///< entities that say more of requirements
+  std::map<std::string, std::size_t> unread_;  ///< entities that say more of requirements
   std::set<unsigned long long> layers_, hidden_, bodies_;
   std::map<unsigned long long, unsigned long long> styled_;  ///< what styled items style
 };
 
 }  // namespace
 
-std::vector<std::string> unread_in_step(std::string_view text, const std::vector<Requirement>& requirements) {
-  StepCounter counter(requirements);
+std::vector<std::string> unread_in_step(std::string_view text) {
+  StepCounter counter;
   visit_statements(text, [&](const Statement& statement) { counter.see(statement); });
   return counter.sentences();
 }

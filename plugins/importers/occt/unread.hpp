@@ -6,13 +6,11 @@
 #include <string_view>
 #include <vector>
 
-#include "model.hpp"
-
 namespace occt {
 
-/// Sentences about annotations, views and layers of a STEP file, and what `requirements_in_step` does not read: these
-/// are what it does. Shapes of triangles are counted: they stand beside exact ones.
-std::vector<std::string> unread_in_step(std::string_view text, const std::vector<Requirement>& requirements);
+/// Sentences about views and layers of a STEP file, and what `requirements_in_step` does not read. Shapes of triangles
+/// are counted: they stand beside exact ones.
+std::vector<std::string> unread_in_step(std::string_view text);
 
 /// Why no shape could be read from a STEP file, if its shapes are of kinds that are not read, and what helps; otherwise
 /// empty.

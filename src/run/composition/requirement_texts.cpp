@@ -363,21 +363,14 @@ scene::DatumTarget target_of(const ModelRequirement& one, bool with_size, const 
 }
 
 scene::NoteText note_of(const ModelRequirement& one) {
-  constexpr std::size_t widest = 40;  // characters beside a leader; the list of the sheet breaks its lines itself
+  constexpr std::size_t widest = 40;  // characters
   scene::NoteText note;
-  for (const std::string_view line : split(one.text, '\n')) {
-    std::size_t room = 0;
-    for (const std::string_view word : split(line, ' ')) {
-      if (word.empty()) continue;
-      const bool is_new = room == 0 || (!one.faces.empty() && room + word.size() >= widest);
-      if (is_new)
-        note.lines.emplace_back(word);
-      else
-        note.lines.back().append(" ").append(word);
-      room = is_new ? word.size() : room + 1 + word.size();
-    }
+  for (const std::string_view word : split(one.text, ' ')) {
+    if (note.lines.empty() || note.lines.back().size() + word.size() >= widest)
+      note.lines.emplace_back(word);
+    else
+      note.lines.back().append(" ").append(word);
   }
-  if (note.lines.empty()) note.lines.emplace_back();
   return note;
 }
 

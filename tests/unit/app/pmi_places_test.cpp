@@ -152,8 +152,7 @@ TEST_F(PmiPlaces, NotesOfAFileAreOnTheSheet) {
                                  note_of(1020, 1000, "NO PAINT"));
   EXPECT_IMPORTER();
   EXPECT_EQ(drawn.code, 0) << drawn.err;
-  EXPECT_EQ(says("BREAK EDGES"), 1);
-  EXPECT_EQ(says("R0.5 MAX"), 1);
+  EXPECT_EQ(says("BREAK EDGES R0.5 MAX"), 1);
   EXPECT_EQ(says("NO PAINT"), 1);
   EXPECT_EQ(row("#1010")["kind"].text, "note");
   EXPECT_EQ(row("#1010")["view"].type, 'n');

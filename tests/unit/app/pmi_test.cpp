@@ -126,6 +126,21 @@ TEST_F(Pmi, AnAutomaticDimensionOfTheSameIsOneWithIt) {
   EXPECT_EQ(says("30"), 1);
 }
 
+TEST_F(Pmi, ADimensionThatIsStatedTwiceIsDrawnOnce) {
+  const std::string again = "#1104=DIMENSIONAL_LOCATION('linear distance','',#1000,#1002);\n" +
+                            size(1110, 1104, "20.", "2.2") + deviations(1114, 1104, "-0.1", "0.3");
+  const std::string wider = "#1204=DIMENSIONAL_LOCATION('linear distance','',#1000,#1002);\n" +
+                            size(1210, 1204, "20.", "2.2") + deviations(1214, 1204, "-0.4", "0.3");
+  const Outcome drawn = draw_box(height + again + wider);
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_EQ(says("20.00 "), 2);
+  EXPECT_EQ(says("-0.1"), 1);
+  EXPECT_EQ(says("-0.4"), 1);
+  EXPECT_EQ(row("#1104")["view"].text, "front");
+  EXPECT_EQ(row("#1104")["sheet_zone"].text, row("#1004")["sheet_zone"].text);
+}
+
 TEST_F(Pmi, PicturesHaveNoneUnlessAsked) {
   const Outcome drawn = draw_box(height, {});
   EXPECT_IMPORTER();
@@ -279,7 +294,7 @@ TEST_F(Pmi, WhatIsNotReadWholeIsToldAndNotDrawn) {
   EXPECT_TRUE(contains(drawn.err, "3 of the 3 requirements of the models are not drawn:")) << drawn.err;
   EXPECT_EQ(row("#1004")["reason"].text, "not read: the values of its deviations");
   EXPECT_EQ(row("#1104")["reason"].text, "not read: 1 item without a face");
-  EXPECT_EQ(row("#1203")["reason"].text, "the file gives its zone no width");
+  EXPECT_EQ(row("#1203")["reason"].text, "not read: the unit of a value");
   EXPECT_EQ(says("20.00"), 0);
 }
 

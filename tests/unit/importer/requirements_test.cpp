@@ -270,7 +270,7 @@ TEST(Requirements, WhatCannotBeReadIsSaid) {
       "#1022=VALUE_FORMAT_TYPE_QUALIFIER('NR2 1.999999999');\n#1020=DIMENSIONAL_SIZE(#1002,'diameter');\n" +
       step_values(1023, 1020, "#1021") + "#1010=PROJECTED_ZONE_DEFINITION(#1005,(#1002),#1002,#1006);\n");
   EXPECT_EQ(named(model, "#1001").missing, "a value, a face that it belongs to");
-  EXPECT_EQ(named(model, "#1005").missing, "a value");
+  EXPECT_EQ(named(model, "#1005").missing, "the unit of a value");
   EXPECT_EQ(named(model, "#1020").decimals, -1);
   EXPECT_EQ(named(model, "#1007").missing, "a datum that it refers to");
   const std::vector<std::string>& notes = model.mesh.report.notes;
@@ -292,9 +292,12 @@ TEST(Requirements, PicturesWithoutAMeaningAreCounted) {
       if (contains(note, "annotation")) found += note;
     return found;
   };
-  EXPECT_EQ(pictures(callouts), "1 annotation of the file is a picture without a meaning that is read: not drawn");
+  EXPECT_EQ(pictures(callouts),
+            "1 annotation of the file is a picture without a meaning that is read: not drawn "
+            "(FILE:annotations=draw draws its lines)");
   EXPECT_EQ(pictures(callouts.substr(0, callouts.find("#9006="))),
-            "2 annotations of the file are pictures without a meaning that is read: not drawn");
+            "2 annotations of the file are pictures without a meaning that is read: not drawn "
+            "(FILE:annotations=draw draws its lines)");
   EXPECT_EQ(pictures("#9001=DIMENSIONAL_SIZE(#10,'diameter');\n"), "");
 }
 
@@ -325,12 +328,34 @@ TEST(Requirements, WordsOfPicturesAndPropertiesAreNotes) {
   std::string found;
   for (const ModelRequirement& one : model.requirements)
     if (one.kind == RequirementKind::note) found += one.id + " " + one.text + " " + normals(model, one) + "; ";
-  EXPECT_EQ(found, "#1011 ALL EDGES\nR0.5 MAX ; #1031 POLISH ± +z; #1080 NO PAINT +z; ");
+  EXPECT_EQ(found, "#1011 ALL EDGES R0.5 MAX ; #1031 POLISH ± +z; #1080 NO PAINT +z; ");
   EXPECT_EQ(named(model, "#1011").name, "General note (1)");
   for (const std::string& note : model.mesh.report.notes) EXPECT_FALSE(contains(note, "without a meaning")) << note;
 }
 
-// Letters that the file has as such, one below the other.
+// As polylines, as strips of a list of points, and as triangles, whose outline is drawn.
+TEST(Requirements, PicturesWithoutAMeaningAreLinesOnDemand) {
+  const std::string pictures =
+      "#1000=POLYLINE('',(#1001,#1002,#1003));\n#1001=CARTESIAN_POINT('',(0.,0.,30.));\n"
+      "#1002=CARTESIAN_POINT('',(8.,0.,30.));\n#1003=CARTESIAN_POINT('',(8.,5.,30.));\n"
+      "#1004=GEOMETRIC_CURVE_SET('',(#1000));\n#1005=ANNOTATION_CURVE_OCCURRENCE('Text.1',(),#1004);\n"
+      "#1006=DRAUGHTING_CALLOUT('Text.1',(#1005));\n"
+      "#1010=COORDINATES_LIST('',3,((0.,0.,40.),(4.,0.,40.),(4.,3.,40.)));\n"
+      "#1011=TESSELLATED_CURVE_SET('',#1010,((1,2),(2,3,9)));\n#1012=TESSELLATED_GEOMETRIC_SET('',(#1011,#1015));\n"
+      "#1015=COMPLEX_TRIANGULATED_SURFACE_SET('',#1016,4,(),(),((1,2,3,4)),((1,3,1)));\n"
+      "#1016=COORDINATES_LIST('',4,((0.,0.,50.),(1.,0.,50.),(0.,1.,50.),(1.,1.,50.)));\n"
+      "#1013=TESSELLATED_ANNOTATION_OCCURRENCE('',(),#1012);\n#1014=DRAUGHTING_CALLOUT('Text.2',(#1013));\n";
+  const Folder folder;
+  importer::ReadOptions options;
+  options.plugin_path = {EPURA_TEST_IMPORTERS};
+  const ReadModel model = importer::read_model(folder.file("box.step", step_box({40, 30, 20}, pictures)),
+                                               {{"annotations", "draw"}}, options);
+  EXPECT_EQ(model.mesh.report.wires, 8);
+  for (const std::string& note : model.mesh.report.notes) EXPECT_FALSE(contains(note, "annotation")) << note;
+  EXPECT_EQ(read(pictures).mesh.report.wires, 0);
+}
+
+// Letters that the file has as such.
 TEST(Requirements, LettersOfAnnotationsAreNotes) {
   const ReadModel model = read(
       "#1000=ANNOTATION_TEXT_OCCURRENCE('note',(),#1001);\n#1001=COMPOSITE_TEXT('',(#1002,#1003,#1001));\n"
@@ -339,7 +364,7 @@ TEST(Requirements, LettersOfAnnotationsAreNotes) {
       "#1004=ANNOTATION_TEXT_OCCURRENCE('',(),#9999);\n");
   ASSERT_EQ(model.requirements.size(), 1U);
   EXPECT_EQ(model.requirements.front().id, "#1000");
-  EXPECT_EQ(model.requirements.front().text, "HEAT TREAT\n58 HRC");
+  EXPECT_EQ(model.requirements.front().text, "HEAT TREAT 58 HRC");
 }
 
 TEST(Requirements, ADatumReferenceToItselfIsSaid) {
