@@ -5,8 +5,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numbers>
-#include <set>
 #include <string_view>
 #include <utility>
 
@@ -447,20 +447,23 @@ CalloutFaults place_callouts(CalloutLayers& layers, std::span<const Callout> cal
     draw_callout(layers, callout, spot, style);
     faults.places.emplace_back(number_of(callout), turned_box(spot.box));
   }
-  // Those with the least choice first. Places are only taken: where there is none for one, there is none for its like.
+  // Those with the least choice first. Places are only taken: where there is none for one, there is none for a wider
+  // one.
   for (const LeaderForm form : {LeaderForm::datum, LeaderForm::landing, LeaderForm::reference}) {
-    std::set<std::array<double, 5>> hopeless;
+    std::map<std::array<double, 4>, double> hopeless;  // least width
     for (const Callout& callout : callouts) {
       if (callout.at || callout.form != form) continue;
       const Vec2& to = callout.target->point;
-      const std::array<double, 5> like{to.x, to.y, callout.size.x, callout.size.y, callout.attach};
-      const bool may_have_place = !callout.others.empty() || hopeless.count(like) == 0;
+      const std::array<double, 4> like{to.x, to.y, callout.size.y, callout.attach};
+      const auto failed = hopeless.find(like);
+      const bool may_have_place =
+          !callout.others.empty() || failed == hopeless.end() || callout.size.x < failed->second;
       if (const auto spot = may_have_place ? placer.best(callout, landing) : std::nullopt) {
         placer.add(*spot);
         draw_callout(layers, callout, *spot, style);
         faults.places.emplace_back(number_of(callout), turned_box(spot->box));
       } else {
-        if (callout.others.empty()) hopeless.insert(like);
+        if (may_have_place && callout.others.empty()) hopeless[like] = callout.size.x;
         faults.without_place.push_back(number_of(callout));
       }
     }
