@@ -18,6 +18,7 @@
 #include <StepShape_FaceBound.hxx>
 #include <StepShape_FaceSurface.hxx>
 #include <StepShape_OrientedEdge.hxx>
+#include <StepShape_VertexPoint.hxx>
 #include <TColStd_ListIteratorOfListOfInteger.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -46,9 +47,10 @@ using Number = unsigned long long;
 /// What items can be, by their numbers in the file.
 struct Items {
   std::map<Number, TopoDS_Shape> faces;
-  std::map<Number, std::set<Number>> beside;  ///< of an edge: the faces that it bounds
-  std::map<Number, gp_Ax2> places;            ///< in the unit of the file
-  std::map<Number, TopoDS_Edge> lines;        ///< beside solids
+  std::map<Number, std::set<Number>> beside;     ///< of an edge: the faces that it bounds
+  std::map<Number, gp_Ax2> places;               ///< in the unit of the file
+  std::map<Number, TopoDS_Edge> lines;           ///< beside solids
+  std::map<Number, std::array<gp_XYZ, 2>> ends;  ///< of edges, in the unit of the file
 };
 
 void add_edges(const StepShape_FaceSurface& face, Number number, const StepData_StepModel& model, Items& items) {
@@ -67,6 +69,11 @@ std::optional<gp_Ax2> place_of(const Handle(Standard_Transient) & entity) {
   return point ? std::optional(gp_Ax2(gp_Pnt(*point), gp::DZ(), gp::DX())) : std::nullopt;
 }
 
+std::optional<gp_XYZ> point_of(const Handle(StepShape_Vertex) & vertex) {
+  const auto point = Handle(StepShape_VertexPoint)::DownCast(vertex);
+  return point.IsNull() ? std::nullopt : triple(Handle(StepGeom_CartesianPoint)::DownCast(point->VertexGeometry()));
+}
+
 // `wanted` are the numbers that requirements name: places are many in a file.
 Items items_of(const STEPControl_Reader& reader, const std::set<Number>& wanted) {
   const Handle(StepData_StepModel) model = reader.StepModel();
@@ -82,6 +89,9 @@ Items items_of(const STEPControl_Reader& reader, const std::set<Number>& wanted)
       add_edges(*face, number, *model, items);
     } else if (wanted.count(number) != 0) {
       if (const auto place = place_of(entity)) items.places.emplace(number, *place);
+      if (const auto edge = Handle(StepShape_Edge)::DownCast(entity); !edge.IsNull())
+        if (const auto from = point_of(edge->EdgeStart()), to = point_of(edge->EdgeEnd()); from && to)
+          items.ends.emplace(number, std::array{*from, *to});
       if (const auto curve = Handle(StepGeom_Curve)::DownCast(entity); !curve.IsNull())
         if (const TopoDS_Shape line = TransferBRep::ShapeResult(process, curve);
             !line.IsNull() && line.ShapeType() == TopAbs_EDGE)
@@ -121,6 +131,8 @@ class FaceFinder {
       std::size_t before = requirement.faces.size();
       if (const auto face = items_.faces.find(item); face != items_.faces.end())
         requirement.faces.push_back(face->second);
+      else if (requirement.kind == EPURA_NOTE && items_.ends.count(item) != 0)
+        add_edge(item, requirement);
       else if (const auto edge = items_.beside.find(item); edge != items_.beside.end() && means_axis(requirement))
         add_cylinder(edge->second, requirement);
       else if (const auto place = items_.places.find(item); place != items_.places.end())
@@ -160,6 +172,16 @@ class FaceFinder {
     if (apart.size() != 1) return false;
     requirement.faces = {items_.faces.at(apart[0].first), items_.faces.at(apart[0].second)};
     return true;
+  }
+
+  // A note of an edge: it is between faces.
+  void add_edge(Number item, Requirement& requirement) const {
+    const auto beside = items_.beside.find(item);
+    if (beside == items_.beside.end() || std::isnan(requirement.length_unit)) return;
+    for (const Number number : beside->second) requirement.faces.push_back(items_.faces.at(number));
+    const std::array<gp_XYZ, 2>& ends = items_.ends.at(item);
+    const gp_XYZ from = ends[0] * requirement.length_unit, to = ends[1] * requirement.length_unit;
+    requirement.lines.push_back({from.X(), from.Y(), from.Z(), to.X(), to.Y(), to.Z()});
   }
 
   void add_cylinder(const std::set<Number>& beside, Requirement& requirement) const {

@@ -138,8 +138,7 @@ double length_unit_of(const StepGraph& graph, EntityNumber context) {
   return std::nan("");
 }
 
-double length_unit_in(std::string_view text) {
-  const StepGraph graph(text);
+double length_unit_in(const StepGraph& graph) {
   for (const auto& [number, statement] : graph.statements())
     if (record_of(statement, "GLOBAL_UNIT_ASSIGNED_CONTEXT") != nullptr)
       if (const double unit = length_unit_of(graph, number); !std::isnan(unit)) return unit;

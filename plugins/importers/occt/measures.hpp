@@ -26,7 +26,7 @@ Measure measure_of(const StepGraph& graph, EntityNumber number);
 double length_unit_of(const StepGraph& graph, EntityNumber context);
 
 /// The unit of length of the first context in a file that states one, in mm; 1 if none does.
-double length_unit_in(std::string_view text);
+double length_unit_in(const StepGraph& graph);
 
 /// Adds what these qualifiers say of a measure.
 void qualify(Measure& measure, const StepGraph& graph, const std::vector<EntityNumber>& qualifiers);

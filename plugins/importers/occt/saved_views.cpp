@@ -69,7 +69,7 @@ std::vector<SavedView> saved_views_of(const STEPControl_Reader& reader, std::str
   for (int i = 1; i <= model->NbEntities(); ++i) {
     const auto camera = Handle(StepVisual_CameraModelD3)::DownCast(model->Value(i));
     if (camera.IsNull()) continue;
-    if (!unit) unit = length_unit_in(text);
+    if (!unit) unit = length_unit_in(StepGraph(text));
     std::optional<SavedView> view = view_of(*camera, *unit);
     if (!view) {
       ++lost;

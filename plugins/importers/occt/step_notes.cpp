@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "measures.hpp"
 #include "requirements.hpp"
 
 namespace occt {
@@ -35,6 +36,7 @@ class NoteReader {
 
   Notes read() {
     Notes notes;
+    const double unit = length_unit_in(graph_);
     for (const auto& [number, statement] : graph_.statements()) {
       Requirement note;
       if (has_record(statement, is_picture) && parts_.count(number) == 0) {
@@ -47,6 +49,7 @@ class NoteReader {
       note.kind = EPURA_NOTE;
       note.id = "#" + std::to_string(number);
       note.type = "note";
+      note.length_unit = unit;
       notes.all.push_back(std::move(note));
     }
     return notes;
@@ -80,7 +83,7 @@ class NoteReader {
     std::set<EntityNumber> about;
     for (const EntityNumber one : all)
       for (const EntityNumber shown : listed(index_.shown, one)) about.insert(shown);
-    if (std::any_of(about.begin(), about.end(), [this](EntityNumber one) { return is_requirement(one); })) return true;
+    if (std::any_of(about.begin(), about.end(), [this](EntityNumber one) { return is_told(one); })) return true;
     for (const EntityNumber one : all)
       for (const EntityNumber property : listed(index_.properties, one)) append(note.text, words_in(property), " ");
     if (note.text.empty())
@@ -107,11 +110,26 @@ class NoteReader {
             has_record(*statement, is_datum) || record_of(*statement, "DATUM_FEATURE") != nullptr);
   }
 
+  // As a requirement, or as a note.
+  [[nodiscard]] bool is_told(EntityNumber number) const {
+    const std::vector<EntityNumber>& properties = listed(index_.properties, number);
+    return is_requirement(number) || std::any_of(properties.begin(), properties.end(),
+                                                 [this](EntityNumber property) { return !words_in(property).empty(); });
+  }
+
+  // Whether it is called a note, or belongs to an aspect that is.
+  [[nodiscard]] bool is_note(const Record& property) const {
+    const Statement* about = graph_.find(reference_in(argument_of(property, 2)));
+    const Record* aspect = about == nullptr ? nullptr : record_of(*about, "SHAPE_ASPECT");
+    return names_words(unquoted(argument_of(property, 0))) ||
+           (aspect != nullptr && names_words(unquoted(argument_of(*aspect, 1))));
+  }
+
   // The words that a property is; empty if it is none.
   [[nodiscard]] std::string words_in(EntityNumber number) const {
     const Statement* statement = graph_.find(number);
     const Record* property = statement == nullptr ? nullptr : record_of(*statement, "PROPERTY_DEFINITION");
-    const bool is_named = property != nullptr && names_words(unquoted(argument_of(*property, 0)));
+    const bool is_named = property != nullptr && is_note(*property);
     std::string words;
     for (const EntityNumber representation : listed(index_.representations, number)) {
       const Statement* whole = graph_.find(representation);

@@ -20,7 +20,7 @@ using Line = std::vector<gp_Pnt>;
 /// The statements of which pictures consist.
 class PictureReader {
  public:
-  explicit PictureReader(std::string_view text) : unit_(length_unit_in(text)) {
+  explicit PictureReader(std::string_view text) : unit_(length_unit_in(StepGraph(text))) {
     visit_statements(text, [this](const Statement& statement) {
       if (has_record(statement, is_part)) parts_.emplace(statement.number, statement);
     });

@@ -54,6 +54,8 @@ class FaceView {
   [[nodiscard]] Vec3 in_world(const Vec3& page) const {
     return page.x * projection_.u + page.y * projection_.v + page.z * projection_.n;
   }
+  /// Whether nothing hides a point of the models.
+  [[nodiscard]] bool shows(const Vec3& point) const { return is_nearest(on_page(point)); }
   /// Marks on a face, whose surface is in the world; the one with the greatest worth first.
   [[nodiscard]] std::vector<SeenMark> marks_on(const FaceName& name, const surfaces::PartFace& face) const;
 

@@ -304,6 +304,13 @@ class Statement {
     return true;
   }
 
+  bool place_note(scene::CalloutDescription& callout, const ModelRequirement& one) {
+    if (one.lines.empty()) return places_.place(callout, one.faces, SymbolPlaces::Ends::anything);
+    const std::array<double, 6>& edge = one.lines.front();
+    return places_.place_at_edge(
+        callout, {subject_.placed({edge[0], edge[1], edge[2]}), subject_.placed({edge[3], edge[4], edge[5]})});
+  }
+
   // One of the whole part stands among the notes of the sheet.
   void add_note(std::size_t i) {
     const ModelRequirement& one = file_.all[i];
@@ -315,7 +322,7 @@ class Statement {
       callout.sheet = {sheet_, callout.where};
     } else {
       callout.content = note_of(one);
-      if (!places_.place(callout, one.faces, SymbolPlaces::Ends::anything)) {
+      if (!place_note(callout, one)) {
         file_.rows[i].why = not_seen;
         return;
       }

@@ -97,6 +97,23 @@ bool SymbolPlaces::place_in_area(scene::CalloutDescription& callout, const std::
   return most > 0;
 }
 
+bool SymbolPlaces::place_at_edge(scene::CalloutDescription& callout, const std::array<Vec3, 2>& ends) const {
+  const std::array<Vec3, 3> points{(ends[0] + ends[1]) / 2.0, ends[0], ends[1]};
+  const double length = glm::length(ends[1] - ends[0]);
+  bool is_point = false;
+  for (const FaceView& view : subject_.views) {
+    const double along = length > 0 ? std::abs(glm::dot(ends[1] - ends[0], view.projection().n)) / length : 0;
+    const bool is_better_view = !callout.view.given() || (!is_point && along >= 1 - max_tilt * max_tilt);
+    const auto seen =
+        std::find_if(points.begin(), points.end(), [&view](const Vec3& point) { return view.shows(point); });
+    if (!is_better_view || seen == points.end()) continue;
+    is_point = along >= 1 - max_tilt * max_tilt;
+    callout.view = {view.name(), callout.where};
+    callout.to = {scene::LeaderTarget(scene::Anchor(*seen)), callout.where};
+  }
+  return callout.view.given();
+}
+
 std::vector<std::vector<std::size_t>> stacks_of(const std::vector<ModelRequirement>& all) {
   std::vector<std::vector<std::size_t>> stacks;
   std::map<std::vector<int>, std::size_t> by_faces;

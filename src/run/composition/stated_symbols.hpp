@@ -2,6 +2,7 @@
 // Geometric tolerances and datums that model files require -> tolerance frames and datums as scenes have them.
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ class SymbolPlaces {
 
   /// The same at a point of an area on these faces, in a view that shows the area true.
   bool place_in_area(scene::CalloutDescription& callout, const std::vector<int>& faces, const Vec3& point) const;
+
+  /// The same at an edge, if possible in a view that shows it as a point.
+  bool place_at_edge(scene::CalloutDescription& callout, const std::array<Vec3, 2>& ends) const;
 
  private:
   struct Attachment {

@@ -160,6 +160,24 @@ TEST_F(PmiPlaces, NotesOfAFileAreOnTheSheet) {
   EXPECT_NE(row("#1020")["view"].type, 'n');
 }
 
+// As some programs write it: the aspect is called a note. Of an edge, it stands where a view shows that as a point.
+TEST_F(PmiPlaces, ANoteOfAnEdgeIsAtTheEdge) {
+  std::string aspect = step_aspect(1000, step_box_edge(1, 5));
+  aspect.replace(aspect.find("'',''"), 5, "'','NOTE'");
+  std::string note = note_of(1010, 1000, "A");
+  note.replace(note.find("semantic text"), 13, "");
+  const std::string picture =
+      "#1020=ANNOTATION_CURVE_OCCURRENCE('',(),#200);\n#1021=DRAUGHTING_CALLOUT('Text.1',(#1020));\n"
+      "#1022=DRAUGHTING_MODEL_ITEM_ASSOCIATION('','',#1000,#50,#1021);\n";
+  const Outcome drawn = draw_box(aspect + note + picture, {"--frame", "none"});
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_TRUE(contains(drawn.err, "all 1 requirements of the models are drawn")) << drawn.err;
+  EXPECT_FALSE(contains(drawn.err, "without a meaning")) << drawn.err;
+  EXPECT_EQ(says("A"), 1);
+  EXPECT_EQ(row("#1010")["view"].text, "top");
+}
+
 // What ISO says by a sign and ASME takes for granted, and the other way round.
 TEST_F(PmiPlaces, SignsAreThoseOfTheStandard) {
   const std::string size = step_aspect(1000, round_face) + "#1002=DIMENSIONAL_SIZE(#1000,'diameter');\n" +
