@@ -19,4 +19,6 @@ for (const [name, parts] of [["box", []], ["box and point", [point]]]) {
 JS
 node points.mjs >seen
 expect_in seen <<'END'
+box: PLY 24 corners, 12 faces; STL 12 faces; OBJ 12 faces
+box and point: PLY 25 corners, no faces; STL 12 faces; OBJ 12 faces
 END
