@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# assimp 5.2.5 moves the parts of an AMF by what their constellations turn them: rz 90 lifts a part by 90 instead of turning it about z, rx 90 moves it along
-# x. Moves, copies and nested constellations are right. Nothing is said. Believed: turns in degrees
-# (ISO/ASTM 52915).
+# assimp 5.2.5 moves the parts of an AMF by what their constellations turn them: rz 90 lifts a part by 90 instead of turning it about z, rx
+# 90 moves it along x. Moves, copies and nested constellations are right. Nothing is said. Believed: turns in degrees (ISO/ASTM 52915).
 . "$(dirname "$(realpath "$0")")/packages.sh"
 debian_packages assimp-utils=5.2.5~ds0-1+b1
 read_amf() {  # WHAT RIGHT CONSTELLATIONS

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# assimp 5.2.5 leaves out of an X3D what stands in CADAssembly, CADLayer, CADPart and CADFace, which X3D has for what comes from CAD, in LOD, Collision and
-# Anchor, quads of IndexedQuadSet, faces whose coordinates are doubles, and faces whose indices stand behind commas without blanks. It names none of
-# them and ends with success; of an unknown TriangleStripSet it says so. Groups and transforms are right. Believed:
-# all boxes (ISO/IEC 19775-1, 10 and 32; commas between whole numbers are blanks, ISO/IEC 19776-1, 5.1).
+# assimp 5.2.5 leaves out of an X3D what stands in CADAssembly, CADLayer, CADPart and CADFace, which X3D has for what comes from CAD, in
+# LOD, Collision and Anchor, quads of IndexedQuadSet, faces whose coordinates are doubles, and faces whose indices stand behind commas
+# without blanks. It names none of them and ends with success; of an unknown TriangleStripSet it says so. Groups and transforms are right.
+# Believed: all boxes (ISO/IEC 19775-1, 10 and 32; commas between whole numbers are blanks, ISO/IEC 19776-1, 5.1).
 . "$(dirname "$(realpath "$0")")/packages.sh"
 debian_packages assimp-utils=5.2.5~ds0-1+b1
 corners='0 0 0 10 0 0 0 10 0 10 10 0 0 0 10 10 0 10 0 10 10 10 10 10'

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# dxf-doc 0.1.6 (npm) writes the steps from line to line of a hatch as they stand in a pattern file (.pat), along and across the line, where DXF has them
-# (45, 46) along x and y of the drawing: lines at 45 degrees 3 mm apart stand 2.12 mm apart, at 30 degrees 2.6 mm, and upright ones all on each other.
-# Level lines are right. Nothing is said. Believed: 3 mm, as ezdxf 0.18.1 writes the same pattern.
+# dxf-doc 0.1.6 (npm) writes the steps from line to line of a hatch as they stand in a pattern file (.pat), along and across the line, where
+# DXF has them (45, 46) along x and y of the drawing: lines at 45 degrees 3 mm apart stand 2.12 mm apart, at 30 degrees 2.6 mm, and upright
+# ones all on each other. Level lines are right. Nothing is said. Believed: 3 mm, as ezdxf 0.18.1 writes the same pattern.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 debian_packages python3-ezdxf=0.18.1-1
 npm_packages dxf-doc@0.1.6

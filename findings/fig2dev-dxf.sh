@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# fig2dev 3.2.8b (behind xfig) writes DXF mirrored from top to bottom, in inches that are 4.8 % too short where the figure is metric (100 mm become 3.75, not
-# 3.937), without a unit, and leaves out arcs, the corners of rounded boxes and arrowheads. It ends with success. Its SVG, and its HP-GL (-L ibmgl), have
-# sizes and sides right. Believed: as the SVG; the y of Fig points down, the y of DXF up.
+# fig2dev 3.2.8b (behind xfig) writes DXF mirrored from top to bottom, in inches that are 4.8 % too short where the figure is metric (100 mm
+# become 3.75, not 3.937), without a unit, and leaves out arcs, the corners of rounded boxes and arrowheads. It ends with success. Its SVG,
+# and its HP-GL (-L ibmgl), have sizes and sides right. Believed: as the SVG; the y of Fig points down, the y of DXF up.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 debian_packages fig2dev=1:3.2.8b-3+deb12u2
 npm_packages dxf-parser@1.1.2

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# Maverick Model 3D 1.3.13 (mm3d) makes the mirror image of a model when it converts DXF into OBJ or OBJ into DXF: it exchanges y and z, which no turn does, so that a
-# left part becomes a right one, inside out. It leaves out what stands in blocks, as many parts of drawings do, and ends with success. Believed: y up for z up, by a turn about x; parts of blocks where they are inserted.
+# Maverick Model 3D 1.3.13 (mm3d) makes the mirror image of a model when it converts DXF into OBJ or OBJ into DXF: it exchanges y and z, which
+# no turn does, so that a left part becomes a right one, inside out. It leaves out what stands in blocks, as many parts of drawings do, and
+# ends with success. Believed: y up for z up, by a turn about x; parts of blocks where they are inserted.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 debian_packages mm3d=1.3.13-1
 export HOME=$work QT_QPA_PLATFORM=offscreen XDG_RUNTIME_DIR=$work

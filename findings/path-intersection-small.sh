@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# path-intersection 4.2.1 (below bpmn.io's editors) finds where paths meet by chords about as long as five user units: where they are few units wide, as small
-# parts in millimetres or sheets in inches or metres, it is far off. A diagonal meets a quarter of a circle of 10 at 6.84, not 7.07, one of 1 at 0.5, not 0.71; a line
-# meets a curve of 1 at y 0, not 0.73. At 100 it is 0.02 off, at 1000 right. Nothing is said. Believed: as exact for each size.
+# path-intersection 4.2.1 (below bpmn.io's editors) finds where paths meet by chords about as long as five user units: where they are few
+# units wide, as small parts in millimetres or sheets in inches or metres, it is far off. A diagonal meets a quarter of a circle of 10 at
+# 6.84, not 7.07, one of 1 at 0.5, not 0.71; a line meets a curve of 1 at y 0, not 0.73. At 100 it is 0.02 off, at 1000 right. Nothing is
+# said. Believed: as exact for each size.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 npm_packages path-intersection@4.2.1
 cat >meet.mjs <<'JS'

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# pdfkit 0.20.2 and pdf-lib 1.17.1 draw the quadratic curves of paths (Q and T of SVG, quadraticCurveTo) by PDF's operator v, which is a cubic curve whose first control
-# point is its beginning (ISO 32000-1, 8.5.2.2): a symmetric arch 10 high is 8.9 high and leans. Cubic curves are right, and svg-to-pdfkit 0.1.8
-# draws both right on pdfkit. Both leave arcs with a radius of 0 out, which are lines (SVG 1.1, F.6.2). Nothing is said. Believed: the same curves.
+# pdfkit 0.20.2 and pdf-lib 1.17.1 draw the quadratic curves of paths (Q and T of SVG, quadraticCurveTo) by PDF's operator v, which is a
+# cubic curve whose first control point is its beginning (ISO 32000-1, 8.5.2.2): a symmetric arch 10 high is 8.9 high and leans. Cubic
+# curves are right, and svg-to-pdfkit 0.1.8 draws both right on pdfkit. Both leave arcs with a radius of 0 out, which are lines (SVG 1.1,
+# F.6.2). Nothing is said. Believed: the same curves.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 npm_packages pdfkit@0.20.2 pdf-lib@1.17.1 svg-to-pdfkit@0.1.8
 cat >curves.cjs <<'JS'

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# pdfkit 0.20.2 refuses dash patterns with a 0, such as dots with round caps and chain lines with dots, though PDF allows all but negative lengths and
-# zeros alone (ISO 32000-1, 8.4.3.6): so svg-to-pdfkit 0.1.8 makes no PDF of an SVG that has one such line, which is valid, too (SVG 1.1, 11.4). pdf-lib 1.17.1
-# writes such lines. Believed: lines of dots.
+# pdfkit 0.20.2 refuses dash patterns with a 0, such as dots with round caps and chain lines with dots, though PDF allows all but negative
+# lengths and zeros alone (ISO 32000-1, 8.4.3.6): so svg-to-pdfkit 0.1.8 makes no PDF of an SVG that has one such line, which is valid, too
+# (SVG 1.1, 11.4). pdf-lib 1.17.1 writes such lines. Believed: lines of dots.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 npm_packages pdfkit@0.20.2 svg-to-pdfkit@0.1.8 pdf-lib@1.17.1
 cat >dots.cjs <<'JS'

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# svg-path-bounding-box 1.0.4 gives wrong boxes of paths that have more than one quadratic curve, as outlines of TrueType letters do: a wave from -10 to 10 is one
-# from -2.5 to 12.3, of two arches of 10 beside each other the second is 18.2 high. One curve alone, cubic ones and arcs are right. Nothing is said. Believed: as svg-path-bbox, and by hand.
+# svg-path-bounding-box 1.0.4 gives wrong boxes of paths that have more than one quadratic curve, as outlines of TrueType letters do: a wave
+# from -10 to 10 is one from -2.5 to 12.3, of two arches of 10 beside each other the second is 18.2 high. One curve alone, cubic ones and
+# arcs are right. Nothing is said. Believed: as svg-path-bbox, and by hand.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 npm_packages svg-path-bounding-box@1.0.4 svg-path-bbox@2.1.0
 cat >box.cjs <<'JS'

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# svg-path-reverse 1.7.0, by which plotters and cutters turn the direction of outlines, takes an m of several points, as Inkscape and SVGO write it, as if the
-# second began where the first ended: all that follows stands off by the first point (10, 10 here), and the path is longer. An M of several
-# points, and h, v, c, q, z after a single m, keep their place. Nothing is said. Believed: the same outline, run backwards: further points of an m
-# are relative lines (SVG 1.1, 8.3.2).
+# svg-path-reverse 1.7.0, by which plotters and cutters turn the direction of outlines, takes an m of several points, as Inkscape and SVGO
+# write it, as if the second began where the first ended: all that follows stands off by the first point (10, 10 here), and the path is
+# longer. An M of several points, and h, v, c, q, z after a single m, keep their place. Nothing is said. Believed: the same outline, run
+# backwards: further points of an m are relative lines (SVG 1.1, 8.3.2).
 . "$(dirname "$(realpath "$0")")/packages.sh"
 npm_packages svg-path-reverse@1.7.0 svg-path-bbox@2.1.0
 cat >turn.cjs <<'JS'

@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# svg-pathdata 9.0.0 rounds each relative coordinate of a path for itself, so that errors add up: a circle of 360 short lines, radius 10, rounded to tenths
-# (round(10)) is 20.8 wide and reaches to -10.8, rounded to whole numbers it is a point. Its end is not its beginning. Absolute coordinates are right, and so is svgpath 2.6.0,
-# which carries what it cut off over to the next. Nothing is said. Believed: each point moves by no more than half a unit of the last digit.
+# svg-pathdata 9.0.0 rounds each relative coordinate of a path for itself, so that errors add up: a circle of 360 short lines, radius 10,
+# rounded to tenths (round(10)) is 20.8 wide and reaches to -10.8, rounded to whole numbers it is a point. Its end is not its beginning.
+# Absolute coordinates are right, and so is svgpath 2.6.0, which carries what it cut off over to the next. Nothing is said. Believed: each
+# point moves by no more than half a unit of the last digit.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 npm_packages svg-pathdata@9.0.0 svgpath@2.6.0 svg-path-bbox@2.1.0
 cat >round.mjs <<'JS'

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# three-3mf-exporter 45.2.0 (three.js 0.160.0) leaves out of a 3MF what hangs below a mesh (a bolt added to its plate), below a level of detail,
-# and all copies of an instanced mesh but one, and places at the origin what is placed by a matrix of its own (matrixAutoUpdate off). It writes what is
-# hidden. It ends with success. Places of groups are right. Believed: all visible boxes, as three.js draws them; the common shift of the
-# whole to the middle of the bed is said in its README.
+# three-3mf-exporter 45.2.0 (three.js 0.160.0) leaves out of a 3MF what hangs below a mesh (a bolt added to its plate), below a level of
+# detail, and all copies of an instanced mesh but one, and places at the origin what is placed by a matrix of its own (matrixAutoUpdate
+# off). It writes what is hidden. It ends with success. Places of groups are right. Believed: all visible boxes, as three.js draws them; the
+# common shift of the whole to the middle of the bed is said in its README.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 npm_packages three-3mf-exporter@45.2.0 three@0.160.0
 cat >write.mjs <<'JS'

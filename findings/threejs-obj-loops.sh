@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# three 0.187.0: OBJExporter writes of a LineLoop, such as the closed lines of a glTF (mode 2) become, its corners and no line, and of what is derived from
-# LineSegments (BoxHelper, AxesHelper) as little. Lines and LineSegments are right. Nothing is said. Believed: the lines that are drawn.
+# three 0.187.0: OBJExporter writes of a LineLoop, such as the closed lines of a glTF (mode 2) become, its corners and no line, and of what
+# is derived from LineSegments (BoxHelper, AxesHelper) as little. Lines and LineSegments are right. Nothing is said. Believed: the lines
+# that are drawn.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 npm_packages three@0.187.0
 cat >lines.mjs <<'JS'

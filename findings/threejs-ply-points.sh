@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: Apache-2.0
-# three 0.187.0: PLYExporter leaves out all faces of a scene that has one Points object, such as marked centres: a box beside a point becomes 25 corners and
-# no face. STLExporter and OBJExporter write the box. Nothing is said. Believed: 12 faces and a corner more.
+# three 0.187.0: PLYExporter leaves out all faces of a scene that has one Points object, such as marked centres: a box beside a point
+# becomes 25 corners and no face. STLExporter and OBJExporter write the box. Nothing is said. Believed: 12 faces and a corner more.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 npm_packages three@0.187.0
 cat >points.mjs <<'JS'
