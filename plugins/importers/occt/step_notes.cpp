@@ -83,14 +83,23 @@ class NoteReader {
     std::set<EntityNumber> about;
     for (const EntityNumber one : all)
       for (const EntityNumber shown : listed(index_.shown, one)) about.insert(shown);
-    if (std::any_of(about.begin(), about.end(), [this](EntityNumber one) { return is_told(one); })) return true;
+    if (std::any_of(about.begin(), about.end(), [this](EntityNumber one) { return is_requirement(one); })) return true;
     for (const EntityNumber one : all)
       for (const EntityNumber property : listed(index_.properties, one)) append(note.text, words_in(property), " ");
     if (note.text.empty())
       for (const EntityNumber one : all) append(note.text, letters_of(one), " ");
+    // The words may be those of the aspect alone, or again.
+    const bool is_again = std::any_of(about.begin(), about.end(), [&](EntityNumber aspect) {
+      const std::vector<EntityNumber>& properties = listed(index_.properties, aspect);
+      return std::any_of(properties.begin(), properties.end(), [&](EntityNumber property) {
+        const std::string words = words_in(property);
+        return !words.empty() && (note.text.empty() || words == note.text);
+      });
+    });
+    if (is_again) note.text.clear();
     if (!note.text.empty())
       for (const EntityNumber aspect : about) add_items(aspect, note);
-    return false;
+    return is_again;
   }
 
   // Of an aspect of the shape, or of the product.
@@ -108,13 +117,6 @@ class NoteReader {
     return statement != nullptr &&
            (has_record(*statement, is_dimension) || has_record(*statement, is_tolerance) ||
             has_record(*statement, is_datum) || record_of(*statement, "DATUM_FEATURE") != nullptr);
-  }
-
-  // As a requirement, or as a note.
-  [[nodiscard]] bool is_told(EntityNumber number) const {
-    const std::vector<EntityNumber>& properties = listed(index_.properties, number);
-    return is_requirement(number) || std::any_of(properties.begin(), properties.end(),
-                                                 [this](EntityNumber property) { return !words_in(property).empty(); });
   }
 
   // Whether it is called a note, or belongs to an aspect that is.
