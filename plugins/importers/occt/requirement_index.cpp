@@ -87,6 +87,12 @@ RequirementIndex index_of(const StepGraph& graph) {
   return index;
 }
 
+const std::vector<EntityNumber>& listed(const References& table, EntityNumber number) {
+  static const std::vector<EntityNumber> none;
+  const auto found = table.find(number);
+  return found == table.end() ? none : found->second;
+}
+
 std::vector<EntityNumber> items_of(const RequirementIndex& index, EntityNumber aspect, std::size_t& left) {
   std::vector<EntityNumber> found, open{aspect};
   std::set<EntityNumber> seen{aspect}, seen_items;
@@ -94,15 +100,14 @@ std::vector<EntityNumber> items_of(const RequirementIndex& index, EntityNumber a
     const EntityNumber at = open.back();
     open.pop_back();
     --left;
-    if (const auto items = index.items.find(at); items != index.items.end())
-      for (const EntityNumber item : items->second) {
-        if (left == 0 || !seen_items.insert(item).second) continue;
-        found.push_back(item);
-        --left;
-      }
-    if (const auto parts = index.parts.find(at); parts != index.parts.end())
-      for (auto part = parts->second.rbegin(); part != parts->second.rend(); ++part)
-        if (seen.insert(*part).second) open.push_back(*part);
+    for (const EntityNumber item : listed(index.items, at)) {
+      if (left == 0 || !seen_items.insert(item).second) continue;
+      found.push_back(item);
+      --left;
+    }
+    const std::vector<EntityNumber>& parts = listed(index.parts, at);
+    for (auto part = parts.rbegin(); part != parts.rend(); ++part)
+      if (seen.insert(*part).second) open.push_back(*part);
   }
   return found;
 }

@@ -28,6 +28,9 @@ struct RequirementIndex {
 
 RequirementIndex index_of(const StepGraph& graph);
 
+/// Those to which a table leads; none if it does not have the number.
+const std::vector<EntityNumber>& listed(const References& table, EntityNumber number);
+
 /// The items of an aspect and of all its parts, each once, in the order in which they are found. Aspects that contain
 /// themselves are followed once. Each aspect and each item takes one of `left`; with none left, the rest is left out.
 std::vector<EntityNumber> items_of(const RequirementIndex& index, EntityNumber aspect, std::size_t& left);

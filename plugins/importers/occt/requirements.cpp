@@ -77,12 +77,6 @@ class RequirementReader {
   }
 
  private:
-  const std::vector<EntityNumber>& listed(const References& table, EntityNumber number) const {
-    static const std::vector<EntityNumber> none;
-    const auto found = table.find(number);
-    return found == table.end() ? none : found->second;
-  }
-
   Measure measure(EntityNumber number) const {
     Measure measure = measure_of(graph_, number);
     qualify(measure, graph_, listed(index_.qualifiers, number));

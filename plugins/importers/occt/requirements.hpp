@@ -11,12 +11,13 @@
 
 #include "model.hpp"
 #include "step_graph.hpp"
+#include "step_pictures.hpp"
 
 namespace occt {
 
 struct StepRequirements {
-  std::vector<Requirement> all{};        ///< in the order of their numbers, notes last
-  std::vector<EntityNumber> pictures{};  ///< annotations that show none of them
+  std::vector<Requirement> all{};  ///< in the order of their numbers, notes last
+  Pictures pictures{};             ///< that show none of them
 };
 
 /// All are there; what could not be read of one is said in `missing`.

@@ -128,8 +128,8 @@ std::vector<TopoDS_Shape> shapes_without_products(STEPControl_Reader& reader) {
 }
 
 /// Lines of annotations that say nothing else, or how many are not drawn.
-void add_annotations(Model& model, std::string_view text, const std::vector<EntityNumber>& pictures, bool are_drawn) {
-  const std::size_t lost = pictures.size() - (are_drawn ? add_pictures(model, text, pictures) : 0);
+void add_annotations(Model& model, std::string_view text, const Pictures& pictures, bool are_drawn) {
+  const std::size_t lost = pictures.annotations.size() - (are_drawn ? add_pictures(model, text, pictures) : 0);
   if (lost == 0) return;
   model.notes.push_back(counted(lost, "annotation") + " of the file " + (lost == 1 ? "is a picture" : "are pictures") +
                         " without a meaning that is read: not drawn" +

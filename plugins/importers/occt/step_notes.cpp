@@ -36,12 +36,12 @@ class NoteReader {
 
   Notes read() {
     Notes notes;
-    const double unit = length_unit_in(graph_);
+    notes.wordless.length_unit = length_unit_in(graph_);
     for (const auto& [number, statement] : graph_.statements()) {
       Requirement note;
       if (has_record(statement, is_picture) && parts_.count(number) == 0) {
         const bool may_be_lost = !read_picture(number, statement, note) && is_whole(statement);
-        if (may_be_lost && note.text.empty()) notes.wordless.push_back(number);
+        if (may_be_lost && note.text.empty()) notes.wordless.annotations.push_back(number);
       } else if (const Record* property = record_of(statement, "PROPERTY_DEFINITION")) {
         read_property(number, *property, note);
       }
@@ -49,19 +49,13 @@ class NoteReader {
       note.kind = EPURA_NOTE;
       note.id = "#" + std::to_string(number);
       note.type = "note";
-      note.length_unit = unit;
+      note.length_unit = notes.wordless.length_unit;
       notes.all.push_back(std::move(note));
     }
     return notes;
   }
 
  private:
-  const std::vector<EntityNumber>& listed(const References& table, EntityNumber number) const {
-    static const std::vector<EntityNumber> none;
-    const auto found = table.find(number);
-    return found == table.end() ? none : found->second;
-  }
-
   void add_items(EntityNumber aspect, Requirement& note) {
     const std::vector<EntityNumber> items = items_of(index_, aspect, items_left_);
     note.items.insert(note.items.end(), items.begin(), items.end());

@@ -8,12 +8,13 @@
 #include "model.hpp"
 #include "requirement_index.hpp"
 #include "step_graph.hpp"
+#include "step_pictures.hpp"
 
 namespace occt {
 
 struct Notes {
-  std::vector<Requirement> all{};        ///< in the order of their numbers
-  std::vector<EntityNumber> wordless{};  ///< annotations that show no requirement either: callouts, if there are any
+  std::vector<Requirement> all{};  ///< in the order of their numbers
+  Pictures wordless{};             ///< that show no requirement either: callouts, if there are any
 };
 
 /// Notes whose annotation belongs to aspects of the shape have their items, as many as `items_left`; the others are

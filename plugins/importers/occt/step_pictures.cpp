@@ -20,7 +20,7 @@ using Line = std::vector<gp_Pnt>;
 /// The statements of which pictures consist.
 class PictureReader {
  public:
-  explicit PictureReader(std::string_view text) : unit_(length_unit_in(StepGraph(text))) {
+  PictureReader(std::string_view text, double unit) : unit_(unit) {
     visit_statements(text, [this](const Statement& statement) {
       if (has_record(statement, is_part)) parts_.emplace(statement.number, statement);
     });
@@ -135,11 +135,11 @@ bool may_have_pictures(const Model& model) {
                      [](const Place& place) { return place.transform.Form() == gp_Identity; });
 }
 
-std::size_t add_pictures(Model& model, std::string_view text, const std::vector<EntityNumber>& annotations) {
-  if (annotations.empty() || !may_have_pictures(model)) return 0;
-  const PictureReader reader(text);
+std::size_t add_pictures(Model& model, std::string_view text, const Pictures& pictures) {
+  if (pictures.annotations.empty() || !may_have_pictures(model)) return 0;
+  const PictureReader reader(text, pictures.length_unit);
   std::size_t count = 0;
-  for (const EntityNumber annotation : annotations) {
+  for (const EntityNumber annotation : pictures.annotations) {
     Part part{reader.name_of(annotation), {}, {}, {}};
     for (const Line& line : reader.lines_of(annotation))
       for (std::size_t i = 1; i < line.size(); ++i)
