@@ -103,11 +103,12 @@ bool SymbolPlaces::place_at_edge(scene::CalloutDescription& callout, const std::
   bool is_point = false;
   for (const FaceView& view : subject_.views) {
     const double along = length > 0 ? std::abs(glm::dot(ends[1] - ends[0], view.projection().n)) / length : 0;
-    const bool is_better_view = !callout.view.given() || (!is_point && along >= 1 - max_tilt * max_tilt);
+    const bool is_point_here = along >= 1 - max_tilt * max_tilt;
+    const bool is_better_view = !callout.view.given() || (!is_point && is_point_here);
     const auto seen =
         std::find_if(points.begin(), points.end(), [&view](const Vec3& point) { return view.shows(point); });
     if (!is_better_view || seen == points.end()) continue;
-    is_point = along >= 1 - max_tilt * max_tilt;
+    is_point = is_point_here;
     callout.view = {view.name(), callout.where};
     callout.to = {scene::LeaderTarget(scene::Anchor(*seen)), callout.where};
   }
