@@ -68,6 +68,8 @@ printf '%bconstexpr int near = 4;\n' "$licence" >"$scratch/tree/src/input/mesh/a
 expect passes "a count beside the header of limits" style
 tree input/mesh/a.hpp 'int f();\n'
 expect fails "a header without a guard" style
+tree input/mesh/a.cpp '// As in mesh/b.hpp.\n'
+expect fails "a comment that names a header that is not there" style
 tree input/mesh/a.cpp "// see /ho""me/me\\n"
 expect fails "a path of a machine" style
 

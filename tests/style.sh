@@ -61,6 +61,15 @@ impure_stages() {
     grep -vE '^src/(run/app/|run/library/make_|input/importer/host\.cpp|ground/foreign/folders\.cpp)'
 }
 
+# Headers that comments and pages name are there, from the root or from their district.
+absent_headers() {
+  local path='([a-z_]+/)+[a-z_0-9]+\.hpp' name
+  grep -rhE "$path" src docs ./*.md --include='*.[ch]pp' --include='*.md' 2>/dev/null | grep -v '#include' |
+    grep -oE "$path" | sort -u | grep -v '^epura/' | while read -r name; do
+    [ -e "$name" ] || compgen -G "src/*/$name" >/dev/null || grep -rnF "$name" src docs ./*.md
+  done
+}
+
 mapfile -t files < <(sources)
 if [ ${#files[@]} -eq 0 ]; then
   echo "style: no sources under $root" >&2
@@ -73,6 +82,7 @@ complain "files without a licence" "$(grep -L 'SPDX-License-Identifier: Apache-2
 complain "files outside the namespace of their folder" "$(foreign_namespaces)"
 complain "limits elsewhere than in the limits.hpp of their folder" "$(scattered_limits)"
 complain "stages that print, or read the environment" "$(impure_stages)"
+complain "headers that are not there" "$(absent_headers)"
 complain "types of one name" "$(repeated_types "${files[@]}")"
 complain "headers without a guard" \
   "$(printf '%s\n' "${files[@]}" | grep -E '\.(hpp|h)$' | xargs -r grep -L -e '#pragma once' -e '#ifndef')"

@@ -14,7 +14,7 @@ inline constexpr double roundings = 4;
 /// 10^-d, with d from 2 to 12, if all coordinates are multiples of it and enough of them need the last decimal;
 /// the last place of the largest coordinate, if all have the same number of significant digits (5 to 8, as "%g" and
 /// "%e" write them);
-/// the step of a lattice (mesh/lattice.hpp), unless a designer would choose it.
+/// the step of a lattice (resolution.cpp), unless a designer would choose it.
 /// Otherwise 0: the coordinates are taken as exact. `are_floats`: they are known to 32 bits.
 double resolution_of(const Points& points, bool are_floats);
 

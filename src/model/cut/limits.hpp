@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every tolerance, angle and ratio that decides something in this stage. Numbers have no unit unless said otherwise;
 // angles are told in degrees, those of constants by their sines and tangents, too. What is parallel stands in
-// base/directions.hpp.
+// base/angle.hpp.
 #pragma once
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 // Every tolerance, angle and ratio that decides something in this stage. Lengths are millimetres on paper, other
 // numbers have no unit, unless said otherwise. *The distance* is that at which lines are one to a person
 // (NearLines::distance). Angles are told in degrees, those of constants in radians and by their sines and cosines, too.
-// What is parallel stands in base/directions.hpp.
+// What is parallel stands in base/angle.hpp.
 #pragma once
 
 #include <cstddef>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What counts as flat, low, near and rounding where edges are found: the limits of this stage, by what they decide.
 // Angles are in degrees, beside the limit where inner loops compare a sine or a cosine; what is parallel stands in
-// base/directions.hpp. "World" is the size of the
-// scene, about 1; "cells" are those of the page grid, "contacts" the distance at which bodies touch.
+// base/angle.hpp. "World" is the size of the scene, about 1; "cells" are those of the page grid, "contacts" the distance
+// at which bodies touch.
 #pragma once
 
 #include <cstddef>
