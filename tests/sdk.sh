@@ -145,7 +145,8 @@ try cc -std=c99 -Wall -Wextra -Werror "${flags[@]}" "$samples/hlr/curves.c" "${l
 
 # The module for Python, on this library.
 if [ -f "$(find "$scratch/prefix" -path '*/cmake/epura/_parts.py')" ]; then
-  try "$samples/../tests/pip.sh" --config-settings=installed="$scratch/prefix" --config-settings=build="$scratch/pip"
+  try "$samples/../tests/pip.sh" --config-settings=installed="$scratch/prefix" --config-settings=build="$scratch/pip" \
+    --config-settings=cmake=-DCMAKE_CXX_FLAGS_RELEASE=-O0
 else
   complain "the classes of scenes for Python are not installed"
 fi
