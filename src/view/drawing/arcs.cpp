@@ -67,7 +67,7 @@ struct Line {
       const double turning = turn(last - 1);
       if (!(turned * turning >= 0) || turning == 0) return last;
       turned += turning;
-      if (last - first >= min_edges_of_arc && std::abs(turned) >= min_turn_of_arc) return last;
+      if (last - first >= min_edges_of_arc && std::abs(turned) >= max_step) return last;
     }
     return max;
   }
@@ -110,7 +110,7 @@ std::optional<Fit> Line::along(const Ellipse& ellipse, const std::vector<Vec2>& 
     if (i == 0) continue;
     const double angle = ellipse.angle_of(points[i]);
     const double step = std::remainder(angle - previous, 2 * std::numbers::pi);
-    const double most = is_known ? max_known_step : max_step;
+    const double most = (is_known ? max_known_step : max_step) + told_apart_sine;
     if (!(std::abs(step) <= most) || !(step * fit.sweep >= 0) || step == 0) return std::nullopt;
     fit.sweep += step;
     fit.longest_step = std::max(fit.longest_step, std::abs(step));

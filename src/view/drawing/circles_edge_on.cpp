@@ -119,15 +119,15 @@ struct Chord {
 std::optional<Chord> chord_of(const CircleEdgeOn& circle, const Piece& piece, std::size_t number, bool inside) {
   const Vec2 from = circle.local(piece.from), to = circle.local(piece.to);
   const double turn = portable_atan2(cross(from, to), glm::dot(from, to));
-  if (std::abs(turn) <= on_rim || std::abs(turn) > max_turn_of_chord) return std::nullopt;
+  if (std::abs(turn) <= rounding_part || std::abs(turn) > max_known_step) return std::nullopt;
   return Chord{number, inside, from, to, portable_atan2(from.y, from.x), turn};
 }
 
 // At which fraction of a chord it is seen from the centre in a direction.
 double fraction_at(const Chord& chord, double angle) {
   const double turned = (angle - chord.start) / chord.turn;
-  if (turned <= on_rim) return 0;
-  if (turned >= 1 - on_rim) return 1;
+  if (turned <= rounding_part) return 0;
+  if (turned >= 1 - rounding_part) return 1;
   const Vec2 direction(portable_cos(angle), portable_sin(angle));
   const double from = cross(direction, chord.from), to = cross(direction, chord.to);
   return std::clamp(from / (from - to), 0.0, 1.0);
@@ -182,7 +182,7 @@ Piece part_of(const Piece& piece, const std::array<double, 2>& part) {
 // The angles of the ends of the edge, rounded, the smaller one first.
 std::array<long, 2> place_of(const Chord& chord) {
   const auto rounded = [](const Vec2& end) {
-    return std::lround(portable_atan2(end.y, end.x) / full_turn * places_on_a_circle);
+    return std::lround(portable_atan2(end.y, end.x) / full_turn / rounding_part);
   };
   const long from = rounded(chord.edge[0]), to = rounded(chord.edge[1]);
   return {std::min(from, to), std::max(from, to)};

@@ -13,8 +13,9 @@ namespace epura::drawing {
 
 // Rounding
 
-inline constexpr double rounding_mm = 1e-9;    ///< about what the rounding of positions on a sheet amounts to
-inline constexpr double rounding_part = 1e-9;  ///< the same of lengths, parameters and sines, relative
+inline constexpr double rounding_mm = 1e-9;  ///< about what the rounding of positions on a sheet amounts to
+/// The same of lengths, parameters and sines, relative, of radians, and of chords seen edge-on as a part of a turn.
+inline constexpr double rounding_part = 1e-9;
 /// Between a line and itself, computed in another way. Corners of chains that are no farther off a straight line are
 /// left out, and points as close to a limit of a broken view are drawn (there, the unit of the world if there is no
 /// scale yet).
@@ -24,9 +25,6 @@ inline constexpr double on_line_mm = 1e-6;
 inline constexpr double on_line_part = 1e-6;
 /// A displacement that separates corners of areas: far below what a drawing shows, and above rounding_mm.
 inline constexpr double aside_mm = 1e-8;
-inline constexpr double settled_mm = 1e-11;        ///< last step towards a crossing of curves
-inline constexpr double on_rim = 1e-12;            ///< radians, 6e-11 degrees; or the part of a chord
-inline constexpr double places_on_a_circle = 1e9;  ///< chords that end in the same ones are one, seen edge-on
 /// The part of what counts as touching to which a node lies on its surfaces.
 inline constexpr double node_precision = 0.01;
 /// Ends at a node differ by a few times what counts as touching: what hides the rest of a contour is in front of it by
@@ -92,20 +90,20 @@ inline constexpr int max_halvings = 6;              ///< of a line between nodes
 
 // Circles and arcs
 
-inline constexpr int min_edges_of_arc = 7;                 ///< chords, of a curve that is not known
-inline constexpr std::size_t min_known_corners = 3;        ///< of a line: its ends do not count
-inline constexpr std::size_t min_edges_of_rim = 2;         ///< fewer would be on a circle by chance
-inline constexpr double min_turn_of_arc = 30 * degree;     ///< of the shortest run that is tried
-inline constexpr double max_step = 30.001 * degree;        ///< between corners of an arc
-inline constexpr double max_known_step = 90.001 * degree;  ///< between corners of a known circle
-inline constexpr double max_turn_of_chord = 90 * degree;   ///< a piece that turns farther is no chord of a rim
-inline constexpr double max_uneven = 3;                    ///< largest step of an arc over the usual one
-inline constexpr double much_better = 5;                   ///< how much closer an ellipse than a circle must be
-inline constexpr double part_if_exact = 0.1;               ///< of the tolerance: lines on crossings of surfaces
-inline constexpr double min_radius_in_tolerances = 10;     ///< of a curve that is not known, as is the next one
-inline constexpr double min_radius = 0.05;                 ///< mm; no line is narrower
-inline constexpr double max_radius = 1e5;                  ///< mm
-inline constexpr double off_the_arc = 1e-4;                ///< mm, of chords along the boundary of a detail
+inline constexpr int min_edges_of_arc = 7;           ///< chords, of a curve that is not known
+inline constexpr std::size_t min_known_corners = 3;  ///< of a line: its ends do not count
+inline constexpr std::size_t min_edges_of_rim = 2;   ///< fewer would be on a circle by chance
+/// Between corners of an arc, at most; the shortest run that is tried turns as far.
+inline constexpr double max_step = 30 * degree;
+/// Between corners of a known circle; a piece that turns farther is no chord of a rim.
+inline constexpr double max_known_step = 90 * degree;
+inline constexpr double max_uneven = 3;                 ///< largest step of an arc over the usual one
+inline constexpr double much_better = 5;                ///< how much closer an ellipse than a circle must be
+inline constexpr double part_if_exact = 0.1;            ///< of the tolerance: lines on crossings of surfaces
+inline constexpr double min_radius_in_tolerances = 10;  ///< of a curve that is not known, as is the next one
+inline constexpr double min_radius = 0.05;              ///< mm; no line is narrower
+inline constexpr double max_radius = 1e5;               ///< mm
+inline constexpr double off_the_arc = 1e-4;             ///< mm, of chords along the boundary of a detail
 
 // Freehand lines and symmetry
 

@@ -42,7 +42,8 @@ std::optional<Vec2> crossing_near(const PageCurve& one, const PageCurve& other, 
     const double ds = cross(gap, across) / area, dt = cross(gap, along) / area;
     s += ds;
     t += dt;
-    if (std::max(std::abs(ds) * glm::length(along), std::abs(dt) * glm::length(across)) <= settled_mm) return one.at(s);
+    if (std::max(std::abs(ds) * glm::length(along), std::abs(dt) * glm::length(across)) <= rounding_mm)
+      return one.at(s);
   }
   return std::nullopt;
 }
