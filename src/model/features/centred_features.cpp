@@ -9,6 +9,7 @@
 #include <numbers>
 #include <utility>
 
+#include "base/angle.hpp"
 #include "features/coaxial_faces.hpp"
 #include "features/hexagons.hpp"
 #include "features/pitch_circles.hpp"
@@ -46,7 +47,7 @@ std::map<int, std::vector<int>> half_cylinders_at_planes(const RoundPart& of) {
 bool face_each_other(const RoundFace& a, const RoundFace& b) {
   const surfaces::PartSurface &s = a.face.surface, &t = b.face.surface;
   if (a.face.inwards != b.face.inwards || std::abs(s.radius - t.radius) > same_size * s.radius ||
-      glm::length(glm::cross(s.axis, t.axis)) > nearly_parallel)
+      glm::length(glm::cross(s.axis, t.axis)) > told_apart_sine)
     return false;
   const Vec3 d = middle_of(b) - middle_of(a), across = d - glm::dot(d, s.axis) * s.axis;
   const double length = glm::length(across);
@@ -180,7 +181,7 @@ std::vector<CentredRound> with_hexagon(const RoundPart& of, const HexagonFeature
                                        std::vector<CentredRound> features) {
   const double slack = slack_of(of.part.tolerance, hexagon.across_flats);
   const auto is_about = [&](const CentredRound& feature) {
-    return glm::length(glm::cross(feature.axis, hexagon.axis)) <= nearly_parallel &&
+    return glm::length(glm::cross(feature.axis, hexagon.axis)) <= told_apart_sine &&
            distance_from_line(feature.rings.front().centre, hexagon.centre, hexagon.axis) <= slack;
   };
   auto feature = std::find_if(features.begin(), features.end(), is_about);

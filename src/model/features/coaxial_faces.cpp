@@ -10,6 +10,7 @@
 #include <set>
 #include <utility>
 
+#include "base/angle.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/portable_math.hpp"
 #include "features/tolerances.hpp"
@@ -25,7 +26,7 @@ double aside(const RoundFace& from, const Vec3& point) {
 }
 
 bool are_coaxial(const RoundPart& of, const RoundFace& a, const RoundFace& b) {
-  if (glm::length(glm::cross(a.face.surface.axis, b.face.surface.axis)) > nearly_parallel) return false;
+  if (glm::length(glm::cross(a.face.surface.axis, b.face.surface.axis)) > told_apart_sine) return false;
   return std::min(aside(a, middle_of(b)), aside(b, middle_of(a))) <=
          slack_of(of.part.tolerance, std::max(a.reach, b.reach));
 }
@@ -41,7 +42,7 @@ bool may_be_grouped(const RoundFace& round) {
 bool are_sides_of_groove(const RoundFace& outer, const RoundFace& inner) {
   const Vec3& axis = outer.face.surface.axis;
   if (!outer.face.inwards || inner.face.inwards ||
-      glm::length(glm::cross(axis, inner.face.surface.axis)) > nearly_parallel)
+      glm::length(glm::cross(axis, inner.face.surface.axis)) > told_apart_sine)
     return false;
   const double depth = outer.to - outer.from, slack = groove_slack * depth;
   const Vec3 apart = middle_of(inner) - middle_of(outer);
@@ -96,7 +97,7 @@ bool leads_to_equal_faces(const RoundPart& of, const std::vector<int>& faces) {
     return std::any_of(faces.begin(), faces.end(), [&](int other) {
       const surfaces::PartSurface& second = of.faces[static_cast<std::size_t>(other)].face.surface;
       return first.kind == second.kind && are_same(first.radius, second.radius) &&
-             glm::length(glm::cross(first.axis, second.axis)) > nearly_parallel;
+             glm::length(glm::cross(first.axis, second.axis)) > told_apart_sine;
     });
   });
 }

@@ -352,7 +352,7 @@ HelicalForms find_helical_threads(const mesh::Mesh& mesh, const surfaces::PartFa
   std::vector<surfaces::PartSurface> axes;  // around which has been looked
   for (const PartFace& face : part.faces) {
     const surfaces::PartSurface& surface = face.surface;
-    if (!surfaces::has_axis(surface.kind) || face.sweep < thread_sweep ||
+    if (!surfaces::has_axis(surface.kind) || face.sweep < half_turn ||
         std::any_of(axes.begin(), axes.end(), [&](const auto& known) { return have_one_axis(surface, known); }))
       continue;
     axes.push_back(surface);

@@ -9,7 +9,6 @@ namespace epura::features {
 // Which directions and sizes are the same.
 
 inline constexpr double parallel = 1e-4;  ///< sine of the angle between directions, cosine of that to a right one
-inline constexpr double nearly_parallel = 1e-3;  ///< sine, of axes: those of short faces are less exact
 inline constexpr double opposite_cosine = 0.99;  ///< of 8 degrees: the ends of a slot face each other
 inline constexpr double same_size = 1e-4;        ///< relative
 inline constexpr double same_point = 1e-6;       ///< relative to a radius, or to the size of the world
@@ -22,13 +21,13 @@ inline constexpr double same_level = 1e-5;         ///< relative to the size of 
 
 // Parts of a turn, degrees.
 
-inline constexpr double half_turn = 179.5;   ///< arcs of less have no axis
-inline constexpr double half_slack = 2;      ///< of a half cylinder
-inline constexpr double min_side = 90;       ///< of a side of a groove
-inline constexpr double shortest_arc = 20;   ///< that has a radius,
-inline constexpr double longest_arc = 200;   ///< and the longest one: a longer one has a diameter
-inline constexpr double min_round = 180;     ///< that slots may leave of a rounded edge
-inline constexpr double thread_sweep = 180;  ///< of a face around whose axis a thread is looked for
+/// Arcs of less have no axis, and those of no less one around which a thread is looked for; slots may leave so much of
+/// a rounded edge.
+inline constexpr double half_turn = 179.5;
+inline constexpr double half_slack = 2;     ///< of a half cylinder
+inline constexpr double min_side = 90;      ///< of a side of a groove
+inline constexpr double shortest_arc = 20;  ///< that has a radius,
+inline constexpr double longest_arc = 200;  ///< and the longest one: a longer one has a diameter
 
 // Holes, slots and chamfers.
 

@@ -223,7 +223,7 @@ std::vector<RoundFeature> rounds_of(const RoundFaces& of) {
       sum += of.faces[j].face.sweep;
       round.sectors.push_back(sector_of(of.faces[j]));
     }
-    if (sum >= min_round) rounds.push_back(std::move(round));
+    if (sum >= half_turn) rounds.push_back(std::move(round));
   }
   return rounds;
 }
