@@ -190,7 +190,7 @@ class ConvexityTest {
 
   [[nodiscard]] bool is_within(const Finding& body) const {
     if (body.refuted != 0 || body.on_ray != 1) return false;
-    const double rounding = 2 * body.reach * normal_rounding * body.slimness + distance_rounding;
+    const double rounding = 2 * body.reach * normal_rounding * body.slimness + normal_rounding;
     return rise(body, body.flatness) + rounding <= contact_;
   }
 

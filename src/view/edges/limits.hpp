@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What counts as flat, low, near and rounding where edges are found: the limits of this stage, by what they decide.
 // Angles are in degrees, beside the limit where inner loops compare a sine or a cosine; what is parallel stands in
-// base/angle.hpp. "World" is the size of the scene, about 1; "cells" are those of the page grid, "contacts" the distance
-// at which bodies touch.
+// base/angle.hpp. "World" is the size of the scene, about 1; "cells" are those of the page grid, "contacts" the
+// distance at which bodies touch.
 #pragma once
 
 #include <cstddef>
@@ -18,9 +18,9 @@ inline constexpr double product_rounding = 0x1p-48;
 /// Of a determinant of three differences, as a part of the sum of the absolute values of its products: each product has
 /// been rounded eight times.
 inline constexpr double determinant_rounding = 9 * 0x1p-53;
-inline constexpr double normal_rounding = 0x1p-49;  ///< of a unit normal, times longest side / height of its triangle
-/// Of the distance between a plane and a point of about unit size.
-inline constexpr double distance_rounding = 0x1p-50;
+/// Of a unit normal, times longest side / height of its triangle; of the distance between a plane and a point of about
+/// unit size.
+inline constexpr double normal_rounding = 0x1p-49;
 inline constexpr double angle_rounding = 1e-6;  ///< degrees: of an N-sided prism, all or no edges are creases at 360/N
 inline constexpr double place_rounding = 0x1p-40;  ///< relative: a vertex of a cut farther off its edge was moved
 /// Of parameters from 0 to 1 along an edge, of bends (curvatures times a factor), and of sines of the angle between

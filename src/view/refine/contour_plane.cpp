@@ -40,7 +40,7 @@ std::optional<Vec3> solve(const Vec3& place, double reach, const ConditionsAt& c
     if (!by) return std::nullopt;
     at += *by;
     if (!(glm::distance(at, place) <= reach)) return std::nullopt;
-    if (glm::length(*by) <= solved_within * reach) return at;
+    if (glm::length(*by) <= rounding_part * reach) return at;
   }
   return std::nullopt;
 }

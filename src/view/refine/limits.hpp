@@ -7,12 +7,12 @@ namespace epura::refine {
 /// Part of a facet: a contour that passes a corner more closely passes through it. It is off by a part of the sagitta
 /// that is the square of twice this.
 inline constexpr double at_corner = 0.01;
-inline constexpr double along_axis = 1e-5;     ///< sine: a cylinder seen so closely along its axis has no contour
-inline constexpr double least_volume = 0.02;   ///< of three unit normals: surfaces that meet at less nearly touch
-inline constexpr double told_from = 8;         ///< tolerances of the part: lower polygons turn as their face does
-inline constexpr double min_agreement = 0.5;   ///< cosine of 60 degrees: facets face no farther from their surface
-inline constexpr double solved_within = 1e-9;  ///< parts of the reach
-inline constexpr int newton_steps = 8;         ///< enough for points within a facet of the surface
-inline constexpr double flat_part = 1e-9;      ///< of a facet's area: less is on a line
+inline constexpr double along_axis = 1e-5;    ///< sine: a cylinder seen so closely along its axis has no contour
+inline constexpr double least_volume = 0.02;  ///< of three unit normals: surfaces that meet at less nearly touch
+inline constexpr double told_from = 8;        ///< tolerances of the part: lower polygons turn as their face does
+inline constexpr double min_agreement = 0.5;  ///< cosine of 60 degrees: facets face no farther from their surface
+/// Of a reach, within which a point is found; of a facet's area, less of which is on a line.
+inline constexpr double rounding_part = 1e-9;
+inline constexpr int newton_steps = 8;  ///< enough for points within a facet of the surface
 
 }  // namespace epura::refine

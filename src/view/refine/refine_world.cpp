@@ -367,7 +367,7 @@ class FlatTriangles {
     const auto area = [&](const std::array<int, 3>& c) { return glm::length(across(refined_, c)); };
     const std::array<int, 3> one{tip, from, beyond}, two{tip, beyond, to};
     const double before = area(own) + area(refined_.triangle(other)), after = area(one) + area(two);
-    if (beyond == tip || !(after < (1 - flat_part) * before)) return -1;
+    if (beyond == tip || !(after < (1 - rounding_part) * before)) return -1;
     for (const int t : {triangle, other}) set_sides(t, t, -1);
     set_corners(triangle, one);
     set_corners(other, two);

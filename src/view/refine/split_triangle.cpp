@@ -41,8 +41,8 @@ void triangulate(Ring ring, std::vector<std::array<int, 3>>& triangles) {
       const RingPoint &before = ring[(i + count - 1) % count], &after = ring[(i + 1) % count];
       const double area = area_of(before, ring[i], after);
       const double quality = quality_of(before, ring[i], after);
-      const bool leaves_enough = count == 3 || whole - area > flat_part;
-      if (!(area > flat_part) || !leaves_enough || !(quality > best_quality)) continue;
+      const bool leaves_enough = count == 3 || whole - area > rounding_part;
+      if (!(area > rounding_part) || !leaves_enough || !(quality > best_quality)) continue;
       best = i;
       best_quality = quality;
     }
@@ -68,7 +68,7 @@ std::vector<std::array<int, 3>> split_triangle(const std::vector<RingPoint>& rin
     other.assign(to, ring.end());
     other.insert(other.end(), ring.begin(), from + 1);
   }
-  if (is_cut && area_of(one) > flat_part && area_of(other) > flat_part) {
+  if (is_cut && area_of(one) > rounding_part && area_of(other) > rounding_part) {
     triangulate(std::move(one), triangles);
     triangulate(std::move(other), triangles);
   } else {
