@@ -109,9 +109,9 @@ class Reader {
     check(found_.statements.size() >= before, "no dimension takes back what another one says");
     if (found_.statements.size() == before) {
       found_.unread.push_back(place);
-    } else if (const std::optional<StatedSize> size = stated_size(dimension, view)) {
+    } else if (const std::optional<StatedSize> size = stated_size(dimension, view, notation_)) {
       if (std::abs(size->stated - size->measured) > size->slack * (1 + definition::same_size))
-        found_.untrue.push_back({place, size->measured});
+        found_.untrue.push_back({place, size->measured / size->unit});
       state_text(found_.statements[before], *size, dimension, view);
     }
   }

@@ -95,12 +95,14 @@ std::vector<NotedNumber> noted_numbers(std::string text, const Notation& notatio
   return numbers;
 }
 
-std::optional<StatedSize> stated_size(const AnchoredDimension& dimension, const DimensionsInView& view) {
+std::optional<StatedSize> stated_size(const AnchoredDimension& dimension, const DimensionsInView& view,
+                                      const Notation& notation) {
   std::optional<Number> number = only_number(dimension.text);
   if (!number && dimension.stated) number = Number{dimension.stated->value, dimension.stated->decimals};
   const std::optional<double> measured = measured_size(dimension, view);
   if (!number || !measured) return std::nullopt;
-  return StatedSize{number->value, *measured, std::pow(10.0, -number->decimals) / 2};
+  const double unit = dimension.type == DimensionType::angular ? 1 : scene::millimetres(notation.unit);
+  return StatedSize{number->value * unit, *measured, std::pow(10.0, -number->decimals) / 2 * unit, unit};
 }
 
 std::string text_of(const AnchoredDimension& dimension, const DimensionsInView& view, const Notation& notation) {

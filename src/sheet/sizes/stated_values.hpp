@@ -26,11 +26,13 @@ std::vector<NotedNumber> noted_numbers(std::string text, const Notation& notatio
 struct StatedSize {
   double stated, measured;
   double slack;  ///< half a unit of its last digit
+  double unit;   ///< in which it is written
 };
 
 /// The value of a text that is one number, with its count, sign and tolerance or without; and what the part has there.
 /// Nothing for texts that stand for the measured value, and for those that say more, as notes and chamfers do.
-std::optional<StatedSize> stated_size(const AnchoredDimension& dimension, const DimensionsInView& view);
+std::optional<StatedSize> stated_size(const AnchoredDimension& dimension, const DimensionsInView& view,
+                                      const Notation& notation);
 
 /// What it says on the sheet, or how many lengths it gives.
 std::string text_of(const AnchoredDimension& dimension, const DimensionsInView& view, const Notation& notation);

@@ -85,10 +85,11 @@ class DimensionedPart {
 
   std::vector<std::string> texts;
   sheet::Omitted omitted;
+  sheet::Notation notation;  ///< in which texts are read
 
  private:
   [[nodiscard]] sheet::FreeFaces find_in(const std::vector<sheet::DimensionsInView>& views) const {
-    return sheet::find_free_faces(views, world_, extents_, {}, rules);
+    return sheet::find_free_faces(views, world_, extents_, notation, rules);
   }
 
   [[nodiscard]] std::vector<sheet::DimensionsInView> views_without(std::size_t number) const {

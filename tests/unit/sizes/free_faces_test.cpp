@@ -46,6 +46,16 @@ TEST(FreeFaces, AreToldForEachDimensionThatIsMissing) {
   }
 }
 
+// 60 mm are 2.362 in.
+TEST(FreeFaces, ReadTextsInTheUnitOfTheSheet) {
+  DimensionedPart sheet(sloped_block);
+  sheet.notation.unit = Unit::in;
+  EXPECT_TRUE(sheet.with_text(0, "2.362", false).untrue.empty());
+  const sheet::FreeFaces changed = sheet.with_text(0, "2.372", false);
+  ASSERT_EQ(changed.untrue.size(), 1U);
+  EXPECT_NE(changed.untrue[0].find("the part has 2.3622"), std::string::npos) << changed.untrue[0];
+}
+
 TEST(FreeFaces, AreOfNoConcernToTextsThatAreUntrue) {
   const DimensionedPart sheet(sloped_block);
   for (std::size_t i = 0; i < sheet.texts.size(); ++i) {
