@@ -114,12 +114,32 @@ bool is_radius_of_other(const FeatureSize& size, const SizesOnSheet& on_sheet, c
 SizesOnSheet sizes_on_sheet(std::span<const DimensionsInView> views, const DimensionSubject& subject,
                             const FeatureTable& table) {
   SizesOnSheet on_sheet{std::vector<int>(table.sizes.size(), 0), {}, {}};
+  std::vector<std::pair<Numbers, std::size_t>> notes;  // of several features, and for how many
   for (const DimensionsInView& view : views)
     for (const AnchoredDimension& dimension : view.dimensions) {
-      for (const std::size_t number : sizes_of(dimension, view, subject, table)) ++on_sheet.dimensions[number];
+      Numbers numbers = sizes_of(dimension, view, subject, table);
+      const auto count = static_cast<std::size_t>(repeats_of(dimension.text));
+      if (count > 1 && count < numbers.size() && !table.sizes[numbers.front()].is_anywhere())
+        notes.emplace_back(std::move(numbers), count);
+      else
+        for (const std::size_t number : numbers) ++on_sheet.dimensions[number];
       if (dimension.type == DimensionType::radius) on_sheet.radii.push_back(dimension.circles.front().radius);
       if (dimension.is_label) on_sheet.labels.push_back(dimension.circles.front());
     }
+  // They are for those that have none of their own.
+  for (auto& [numbers, count] : notes) {
+    std::stable_partition(numbers.begin(), numbers.end(),
+                          [&](std::size_t number) { return on_sheet.dimensions[number] == 0; });
+    Numbers places;  // two cones may share an end
+    for (const std::size_t number : numbers) {
+      const FeatureSize& size = table.sizes[number];
+      const bool is_known =
+          std::ranges::any_of(places, [&](std::size_t place) { return size.is_at(table.sizes[place].circle()); });
+      if (!is_known && places.size() == count) continue;
+      if (!is_known) places.push_back(number);
+      ++on_sheet.dimensions[number];
+    }
+  }
   check(on_sheet.dimensions.size() == table.sizes.size(), "dimensions of each size are counted");
   return on_sheet;
 }

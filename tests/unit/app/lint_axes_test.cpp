@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "errors.hpp"
 #include "folder.hpp"
+#include "known_parts.hpp"
 #include "program.hpp"
 #include "schema.hpp"
 
@@ -166,6 +167,19 @@ TEST_F(LintAxes, LeaveOutWhatASceneAccepts) {
   EXPECT_TRUE(contains(unused.err, "nothing is found of the accepted face 1")) << unused.err;
   expect_refused(lint(accepting("face 99")), "has no face 99");
   expect_refused(lint("[[accepted]]\nfeature = 'face 1'\n"), "reason");
+}
+
+// The fourth one has its own.
+TEST_F(LintAxes, CountANoteForAsManyHolesAsItSays) {
+  folder_.file("part.obj", plate({40, 30}, 2, 2, 10, stepped_hole({{4, 10}, {4, 0}})));
+  const std::string diameter = "[[dimension]]\ntype = 'diameter'\n";
+  const std::string scene =
+      folder_.file("scene.toml", "[[model]]\nfile = 'part.obj'\n[[view]]\nprojection = 'top'\n" + diameter +
+                                     "text = '3× <>'\nat = {point = [24, 15, 10]}\n" + diameter +
+                                     "tolerance = 'H7'\nat = {point = [64, 45, 10]}\n");
+  const Outcome run = epura({"lint", scene}, folder_ / "");
+  EXPECT_FALSE(contains(run.out, "twice")) << run.out;
+  EXPECT_FALSE(contains(run.out, "not dimensioned: hole ⌀8\n")) << run.out;
 }
 
 }  // namespace
