@@ -298,6 +298,11 @@ void state_on_circle(const Part& part, const Directions&, const Unknowns& unknow
         statement.rows.push_back(difference(turned, first));
     }
   }
+  for (const EvenAxes& even : marks.even_axes)
+    for (std::size_t i = 1; i < even.axes.size(); ++i) {
+      const Vec3& about = surface_of(part, even.about).axis;
+      statement.rows.push_back(difference(unknowns.turn(even.axes[i], about), unknowns.turn(even.axes.front(), about)));
+    }
 }
 
 // Its sides keep their angles and touch one circle.
@@ -336,7 +341,7 @@ constexpr std::array<Rule, rule_count> rules{{
     {"drilled", "the point of a blind hole", {nullptr, iso_sizes, asme}, state_drilled},
     {"tangent", "an outline that turns without a corner", {nullptr, iso_sizes, asme}, state_tangent},
     {"symmetric", "a line of symmetry", {nullptr, iso_lines, asme}, state_symmetric},
-    {"on-circle", "a pitch circle", {nullptr, iso_sizes, asme}, state_on_circle},
+    {"on-circle", "a pitch circle, or axes about another one", {nullptr, iso_sizes, asme}, state_on_circle},
     {"regular", "a hexagon with equal sides", {nullptr, iso_sizes, asme}, state_regular},
     {"equal", "a number of equal features, as 4×", {nullptr, iso_sizes, asme}, state_equal},
 }};

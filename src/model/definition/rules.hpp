@@ -26,6 +26,12 @@ struct PitchCircle {
   bool is_even = true;
 };
 
+/// Axes that meet another one in one point, at one angle to it, evenly spaced about it.
+struct EvenAxes {
+  int about;              ///< a face with the other axis
+  std::vector<int> axes;  ///< of faces
+};
+
 /// A regular hexagon: six planes about an axis.
 struct Hexagon {
   int face;  ///< of the cylinder that touches all six, where it is only drawn
@@ -37,6 +43,7 @@ struct Marks {
   std::vector<Vec3> axes{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};  ///< of the views: along which lines align
   std::vector<SymmetryLine> symmetries{};
   std::vector<PitchCircle> circles{};
+  std::vector<EvenAxes> even_axes{};
   std::vector<Hexagon> hexagons{};
   std::vector<std::vector<int>> equal{};  ///< round faces of one radius, as "4×" says
 };

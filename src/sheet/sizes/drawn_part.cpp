@@ -16,6 +16,7 @@
 #include "features/assembly_features.hpp"
 #include "features/engraving.hpp"
 #include "features/tolerances.hpp"
+#include "sizes/equal_features.hpp"
 #include "sizes/feature_table.hpp"
 #include "sizes/place_joins.hpp"
 #include "surfaces/least_squares.hpp"
@@ -74,6 +75,49 @@ void add_pitch_circle(DrawnPart& drawn, const WorldCircle& circle) {
       .kind = SurfaceKind::cylinder, .origin = circle.centre, .axis = circle.axis, .radius = circle.radius};
   drawn.marks.circles.push_back({static_cast<int>(drawn.part.faces.size()), axes, are_even(angles)});
   drawn.part.faces.push_back({line, circle.centre});
+}
+
+// Where an axis meets another one; nothing if it passes by, or runs along it.
+std::optional<Vec3> meeting_of(const PartSurface& one, const PartSurface& other, double slack) {
+  if (features::are_parallel(one.axis, other.axis)) return std::nullopt;
+  const Vec3 across = glm::normalize(glm::cross(one.axis, other.axis)), square = glm::cross(across, other.axis);
+  if (std::abs(glm::dot(other.origin - one.origin, across)) > slack) return std::nullopt;
+  return one.origin + glm::dot(other.origin - one.origin, square) / glm::dot(one.axis, square) * one.axis;
+}
+
+// Slanted ones of a note for several, which no pitch circle shows: "6× ⌀8" towards one point of an axis.
+void add_even_axes(DrawnPart& drawn, const WorldCircle& circle) {
+  const double slack = slack_of(drawn.part);
+  std::vector<int> axes;
+  for (std::size_t i = 0; i < drawn.faces; ++i)
+    if (const PartSurface& one = drawn.part.faces[i].surface;
+        one.kind == SurfaceKind::cylinder && agree(one.radius, circle.radius))
+      axes.push_back(static_cast<int>(i));
+  for (std::size_t about = 0; about < drawn.faces && axes.size() >= features::fewest_holes; ++about) {
+    const PartSurface& other = drawn.part.faces[about].surface;
+    if (!surfaces::has_axis(other.kind)) continue;
+    const PartSurface& first = drawn.part.faces[static_cast<std::size_t>(axes.front())].surface;
+    const std::optional<Vec3> centre = meeting_of(first, other, slack);
+    const auto is_about = [&](int axis) {
+      const PartSurface& one = drawn.part.faces[static_cast<std::size_t>(axis)].surface;
+      const std::optional<Vec3> at = meeting_of(one, other, slack);
+      return at && glm::distance(*at, *centre) <= slack &&
+             std::abs(std::abs(glm::dot(one.axis, other.axis)) - std::abs(glm::dot(first.axis, other.axis))) <=
+                 features::parallel;
+    };
+    const bool is_slanted = std::abs(glm::dot(first.axis, other.axis)) > features::parallel;
+    if (!centre || !is_slanted || !std::ranges::all_of(axes, is_about)) continue;
+    std::vector<double> angles;
+    for (const int axis : axes) {
+      const definition::Face& one = drawn.part.faces[static_cast<std::size_t>(axis)];
+      PartSurface out = one.surface;
+      out.origin = *centre + (glm::dot(one.at - *centre, out.axis) < 0 ? -out.axis : out.axis);
+      angles.push_back(angle_of(out, {*centre, other.axis, circle.radius, {}, true}));
+    }
+    check(angles.size() == axes.size(), "each axis has its angle");
+    if (are_even(angles)) drawn.marks.even_axes.push_back({static_cast<int>(about), axes});
+    return;
+  }
 }
 
 // Parallel planes of the model, and the plane in the middle between them.
@@ -294,6 +338,7 @@ DrawnPart with_drawn_lines(Part part, std::span<const DimensionsInView> views,
         return glm::distance(one.centre, circle.centre) <= slack_of(drawn.part) && agree(one.radius, circle.radius);
       });
       if (is_new) add_pitch_circle(drawn, circle);
+      if (repeats_of(dimension.text) > 1) add_even_axes(drawn, circle);
       seen.push_back(circle);
     }
   for (std::size_t i = 0; i < 3; ++i)

@@ -144,6 +144,17 @@ TEST(Definition, A_pitch_circle_gives_places_of_all_its_holes) {
   EXPECT_EQ(MadeSheet(plate).needed(), 3 + 3 + 3 * 3) << "without the circle and 3×";
 }
 
+TEST(Definition, Axes_that_are_even_about_another_turn_as_one) {
+  Part plate = with(box({100, 80, 10}), {cylinder({50, 40, 5}, z, 5, 300)});
+  EvenAxes even{6, {}};
+  for (const double angle : {10, 82, 154, 226, 298}) {
+    const double at = angle * M_PI / 180;
+    even.axes.push_back(static_cast<int>(plate.faces.size()));
+    plate.faces.push_back(cylinder({50, 40, 5}, {std::cos(at), std::sin(at), 1}, 3, 100));
+  }
+  EXPECT_EQ(MadeSheet(plate, {.even_axes = {even}}).needed(), MadeSheet(plate).needed() - 4);
+}
+
 TEST(Definition, A_wedge_has_two_sizes_and_an_angle) {
   Part wedge{{plane({0, 10, 5}, -x, 200), plane({15, 10, 0}, -z, 600), plane({15, 0, 4}, -y, 150),
               plane({15, 20, 4}, y, 150), plane({15, 10, 5}, {1, 0, 3}, 632)}};
