@@ -149,6 +149,8 @@ class Placer {
   /// room then. If some remain, less usual places are tried. Returns the numbers of those that are left out.
   std::vector<std::size_t> leave_out(std::size_t count, const Progress& progress) {
     count = std::min(count, placed_.size());
+    check(!is_crowded_, "room is looked for once");
+    is_searching_ = true;
     const PlacedDimensions all = placed_;
     std::vector<std::size_t> left_out = leave_out_crossed(count, progress);
     if (left_out.empty() || left_out.size() > max_in_crowd) return left_out;
@@ -204,10 +206,13 @@ class Placer {
     return left_out;
   }
   void place(std::size_t i) {
-    const std::vector<DimensionPlacement> all = is_row(i) ? std::vector<DimensionPlacement>() : placements(i);
-    BestPlacement best = better_of(is_row(i) ? placements_of_row(i) : all, surroundings_);
+    // Rows are large, and in a search for room all are tried again and again.
+    const auto [known, is_new] = usual_.try_emplace(i);
+    if (is_new) known->second = placements(i);
+    BestPlacement best = better_of(known->second, surroundings_);
     if (is_crowded_ && best.cost >= cost_of_text) best = better_of(more_placements(i), surroundings_, best);
     placed_[i] = *best.dimension;
+    if (!is_searching_ && !is_row(i)) usual_.erase(known);
     std::visit([&](const auto& form) { check_ends(form, *placed_[i]); }, dimensions_[i].form);
     place_at_equal(i, best.cost);
     surroundings_.add(*placed_[i]);
@@ -231,12 +236,6 @@ class Placer {
     std::vector<DimensionPlacement> all = std::visit(of_form, dimensions_[i].form);
     sort_by_cost(all);
     return all;
-  }
-  // Rows are large, and tried again and again.
-  const std::vector<DimensionPlacement>& placements_of_row(std::size_t i) {
-    auto [known, is_new] = rows_.try_emplace(i);
-    if (is_new) known->second = placements(i);
-    return known->second;
   }
   const std::vector<DimensionPlacement>& more_placements(std::size_t i) {
     auto [known, is_new] = more_.try_emplace(i);
@@ -332,8 +331,9 @@ class Placer {
   Surroundings surroundings_;
   PlacedDimensions placed_;
   std::vector<bool> stays_;  ///< while others are moved
-  std::map<std::size_t, std::vector<DimensionPlacement>> rows_, more_;
-  bool is_crowded_ = false;  ///< whether less usual placements are tried, too
+  std::map<std::size_t, std::vector<DimensionPlacement>> usual_, more_;
+  bool is_searching_ = false;  ///< whether room is looked for
+  bool is_crowded_ = false;    ///< whether less usual placements are tried, too
 };
 
 // U+2300, or the letter that replaces it.
