@@ -29,14 +29,15 @@ namespace {
 
 using scene::DimensionDescription;
 
-// Whether the radius of a round end and the place of its centre give the size over it: it bulges beyond the faces
-// beside it, or is as wide as the models.
+// Whether the radius of a round end and the place of its centre give the size over it: it bulges beyond all plane
+// faces, or is as wide as the models.
 bool is_over_round_end(const Planning& plan, int axis) {
   const std::vector<RoundEnd>& ends = plan.table.round_ends;
   return std::any_of(ends.begin(), ends.end(), [&](const RoundEnd& end) {
+  const auto& [flat_low, flat_high] = plan.table.flat_ends[static_cast<std::size_t>(axis)];
     const bool low = end.ends_models(axis, 0, plan.extent(axis)), high = end.ends_models(axis, 1, plan.extent(axis));
     return plan.views.along(end.axis) != nullptr &&
-           ((low && high) || (low && end.bulges(axis, 0)) || (high && end.bulges(axis, 1)));
+           ((low && high) || (low && !flat_low && end.bulges(axis, 0)) || (high && !flat_high && end.bulges(axis, 1)));
   });
 }
 
