@@ -142,6 +142,20 @@ TableGroup rows_of(const Planning& plan, HoleGroup group, const NamedProjection&
   return found;
 }
 
+// Whether they are on the axis of a round part, so that a table has no places to give.
+bool are_on_axis(const Planning& plan, const HoleGroup& group) {
+  return std::ranges::all_of(group, [&](const HoleFeature* hole) {
+    const int along = world_axis(hole->axis);
+    for (int axis = 0; axis < 3; ++axis) {
+      const features::Extent& extent = plan.extent(axis);
+      if (axis != along && (extent.form == features::ExtentForm::length ||
+                            std::abs(hole->mouth[axis] - extent.centre[axis]) > features::same_size * extent.size()))
+        return false;
+    }
+    return along >= 0;
+  });
+}
+
 // The view that looks into one of the holes, and the hole; otherwise one beside them.
 std::pair<const NamedProjection*, const HoleFeature*> view_of_radial(const Planning& plan, const HoleGroup& holes) {
   for (const HoleFeature* hole : holes)
@@ -208,7 +222,7 @@ Planned hole_dimensions(const Planning& plan) {
       planned.omitted.askew[size_of(plan, group.front()).name] += group.size();
       continue;
     }
-    if (along != nullptr && has_table(plan) && can_have_table(*view)) {
+    if (along != nullptr && has_table(plan) && can_have_table(*view) && !are_on_axis(plan, group)) {
       auto table = std::find_if(planned.tables.begin(), planned.tables.end(),
                                 [&](const HoleTable& one) { return one.view == view->name; });
       if (table == planned.tables.end()) table = planned.tables.insert(table, empty_table(plan, *view));

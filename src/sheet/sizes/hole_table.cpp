@@ -7,6 +7,7 @@
 #include <optional>
 #include <tuple>
 
+#include "base/error.hpp"
 #include "drawing/drawing.hpp"
 #include "sheet/free_rectangles.hpp"
 
@@ -16,7 +17,7 @@ namespace {
 
 constexpr double table_apart = 3;                      // mm, from everything else
 constexpr double origin_radius = 0.5, origin_arm = 3;  // of the height of capitals
-constexpr int origin_parts = 24;
+constexpr int origin_parts = 24, origin_steps = 24;    // of the circle; by which arms may be longer, in heights
 
 void add_table_line(Layer& layer, const Vec2& from, const Vec2& to) {
   layer.strokes.emplace_back().points = {from, to};
@@ -58,11 +59,21 @@ void draw_origin(Layer& layer, const HoleTable& table, const drawing::ViewDrawin
   for (const auto& [along, name] : axes) {
     // Beside the outline, outside the view.
     const Vec2 aside = -1.0 * Vec2(along.y, along.x) * (radius + 0.5 * style.text);
-    const Vec2 tip = at + aside + arm * along;
+    // On the axis of a round part it is not: there the letter is beyond the lines.
+    const auto letter_at = [&, along = along](int step) {
+      return at + aside + (arm + (0.7 + step) * style.text) * along;
+    };
+    const auto is_on_lines = [&](int step) {
+      return ink_in({letter_at(step), {1, 0}, Vec2(style.text / 2)}, drawing) > 0;
+    };
+    int step = 0;
+    while (step < origin_steps && is_on_lines(step)) ++step;
+    if (step == origin_steps) step = 0;
+    check(step < origin_steps, "an arm has one of its lengths");
+    const Vec2 letter = letter_at(step), tip = letter - 0.7 * style.text * along;
     add_table_line(layer, at + aside, tip);
     layer.fills.push_back(arrow_at(tip, along, style));
-    const Vec2 beyond = tip + 0.7 * style.text * along - Vec2(0, style.text / 2);
-    layer.texts.push_back({name, beyond, style.text, 0, Align::middle, "dimension"});
+    layer.texts.push_back({name, letter - Vec2(0, style.text / 2), style.text, 0, Align::middle, "dimension"});
   }
 }
 
