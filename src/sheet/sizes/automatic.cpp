@@ -17,6 +17,7 @@
 #include "sizes/free_face_dimensions.hpp"
 #include "sizes/hexagon_widths.hpp"
 #include "sizes/hole_dimensions.hpp"
+#include "sizes/place_joins.hpp"
 #include "sizes/planning.hpp"
 #include "sizes/prism_dimensions.hpp"
 #include "sizes/radius_dimensions.hpp"
@@ -33,8 +34,8 @@ using scene::DimensionDescription;
 // faces, or is as wide as the models.
 bool is_over_round_end(const Planning& plan, int axis) {
   const std::vector<RoundEnd>& ends = plan.table.round_ends;
-  return std::any_of(ends.begin(), ends.end(), [&](const RoundEnd& end) {
   const auto& [flat_low, flat_high] = plan.table.flat_ends[static_cast<std::size_t>(axis)];
+  return std::any_of(ends.begin(), ends.end(), [&](const RoundEnd& end) {
     const bool low = end.ends_models(axis, 0, plan.extent(axis)), high = end.ends_models(axis, 1, plan.extent(axis));
     return plan.views.along(end.axis) != nullptr &&
            ((low && high) || (low && !flat_low && end.bulges(axis, 0)) || (high && !flat_high && end.bulges(axis, 1)));
@@ -118,8 +119,18 @@ std::vector<const NamedProjection*> in_order(const ViewChoice& views) {
   return all;
 }
 
+// What others say of places.
+void join_given(Coordinates& coordinates, std::span<const DimensionsInView> given) {
+  for (const DimensionsInView& view : given)
+    for (const AnchoredDimension& dimension : view.dimensions) {
+      const std::optional<Vec3> along = measured_along(dimension, view);
+      const int axis = along && !dimension.arrangement && !is_auxiliary(dimension) ? world_axis(*along) : -1;
+      if (axis >= 0) coordinates.join(axis, dimension.points[0][axis], dimension.points[1][axis]);
+    }
+}
+
 // Each place once, unless it is known before.
-Planned position_dimensions(const Planning& plan, const Planned& planned) {
+Planned position_dimensions(const Planning& plan, const Planned& planned, std::span<const DimensionsInView> given) {
   Coordinates coordinates(plan.subject, plan.table.round_ends, in_order(plan.views));
   std::vector<SlantedPlace> slanted;
   for (const auto& place : planned.places)
@@ -132,8 +143,10 @@ Planned position_dimensions(const Planning& plan, const Planned& planned) {
   Planned positions = level_positions(plan.subject, plan.views, coordinates);
   for (const auto& level : positions.places) coordinates.add(std::get<Coordinate>(level));
   positions.places.clear();
+  join_given(coordinates, given);
   positions.append({slanted_dimensions(plan, slanted)});
   positions.append({coordinates.dimensions(plan.wanted, plan.notation)});
+  check(positions.places.empty(), "each place has its dimension");
   return positions;
 }
 
@@ -150,9 +163,9 @@ Planned without_excess(Planned planned) {
   return planned;
 }
 
-Planned with_positions(const Planning& plan, const Planned& planned) {
+Planned with_positions(const Planning& plan, const Planned& planned, std::span<const DimensionsInView> given) {
   Planned all = planned;
-  all.append(position_dimensions(plan, planned));
+  all.append(position_dimensions(plan, planned, given));
   return all;
 }
 
@@ -182,7 +195,9 @@ AutomaticPlan automatic_dimensions(const DimensionDescription& wanted, std::span
                 "add a [[dimension]] for the size, or general_tolerance to the [title_block]");
   const Planning plan(wanted, views, subject, notation);
   Planned planned = dimensions_of_features(plan, views);
-  Planned all = with_positions(plan, planned);
+  const std::span<const DimensionsInView> others =
+      given ? std::span<const DimensionsInView>(*given) : std::span<const DimensionsInView>();
+  Planned all = with_positions(plan, planned, others);
   Planned missing;
   if (given && !wanted.view.given())
     missing = dimensions_of_free_faces(plan, with_others(*given, all.dimensions, views, subject.world));
@@ -190,7 +205,7 @@ AutomaticPlan automatic_dimensions(const DimensionDescription& wanted, std::span
     // Before places that are thought to be known.
     std::swap(planned.places, missing.places);
     planned.append(std::move(missing));
-    all = with_positions(plan, planned);
+    all = with_positions(plan, planned, others);
   }
   for (const DimensionDescription& dimension : all.dimensions)
     check(dimension.view.given() && dimension.type.given(), "an automatic dimension has a type and a view");

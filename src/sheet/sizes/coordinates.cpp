@@ -136,6 +136,16 @@ void Coordinates::add(const Coordinate& coordinate) {
   if (!is_known(coordinate.axis, coordinate.at)) coordinates_.push_back(coordinate);
 }
 
+void Coordinates::join(int axis, double from, double to) {
+  const auto find = [&](double place) {
+    return std::find_if(coordinates_.begin(), coordinates_.end(),
+                        [&](const Coordinate& one) { return one.axis == axis && std::abs(one.at - place) <= slack_; });
+  };
+  if (find(from) == coordinates_.end() || find(to) == coordinates_.end() || std::abs(from - to) <= slack_) return;
+  const double end = datums_[static_cast<std::size_t>(axis)].at;
+  coordinates_.erase(find(std::abs(from - end) > std::abs(to - end) ? from : to));
+}
+
 // Positions on a round part are measured from its axis.
 Coordinate Coordinates::base_of(const Coordinate& coordinate) const {
   const features::Extent& extent = subject_.extents[coordinate.axis];

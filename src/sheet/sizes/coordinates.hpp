@@ -54,6 +54,10 @@ class Coordinates {
   /// same place in one view, those nearest to the dimension line count.
   void add(const Coordinate& coordinate);
 
+  /// Notes that another dimension measures from one place to another: of two that were added, the farther one from
+  /// where they are measured from follows.
+  void join(int axis, double from, double to);
+
   /// The dimension of one from where it is measured; nothing if it is there.
   [[nodiscard]] std::optional<scene::DimensionDescription> distance_to(const Coordinate& coordinate,
                                                                        const std::string& where) const;

@@ -20,12 +20,19 @@ using features::are_parallel;
 using features::same_size;
 using scene::DimensionDescription;
 
-/// What a dimension measures: a circle, or from one place to another along a direction.
+/// The corner of an angle, and the directions of its legs; unit vectors.
+struct Angle {
+  Vec3 corner;
+  std::array<Vec3, 2> legs;
+};
+
+/// What a dimension measures: a circle, an angle, or from one place to another along a direction.
 struct Measure {
   std::optional<WorldCircle> circle{};
   Vec3 along{0};
   double from = 0, to = 0;
   bool across = false;  ///< whether a diameter and a length across its circle may be one
+  std::optional<Angle> angle{};
 };
 
 std::optional<Vec3> direction_in_views(const DimensionDescription& description, const AnchoredDimension& dimension,
@@ -40,7 +47,12 @@ std::optional<Measure> measure_of(const DimensionDescription& description, const
   if (dimension.is_label || dimension.arrangement) return std::nullopt;
   if (dimension.type == DimensionType::diameter || dimension.type == DimensionType::radius)
     return Measure{dimension.circles.front(), Vec3(0), 0, 0, dimension.type == DimensionType::diameter};
-  if (dimension.type == DimensionType::angular || dimension.type == DimensionType::arc) return std::nullopt;
+  if (dimension.type == DimensionType::arc) return std::nullopt;
+  if (dimension.type == DimensionType::angular) {
+    const Vec3& corner = dimension.points[0];
+    const auto leg = [&](std::size_t end) { return glm::normalize(dimension.points[end] - corner); };
+    return Measure{.angle = Angle{corner, {leg(1), leg(2)}}};
+  }
   const std::optional<Vec3> along = direction_in_views(description, dimension, views);
   if (!along) return std::nullopt;
   const bool across = dimension.type != DimensionType::overall || dimension.form == features::ExtentForm::diameter;
@@ -80,6 +92,7 @@ bool is_across(const Measure& length, const WorldCircle& circle) {
 }
 
 bool are_one(const Measure& a, const Measure& b, const features::PartFeatures& features, double slack) {
+  if (a.angle || b.angle) return false;  // see follows_from
   if (a.circle && b.circle)
     return are_one_circle(*a.circle, *b.circle) || are_of_equal_holes(*a.circle, *b.circle, features);
   if (a.circle) return a.across && b.across && is_across(b, *a.circle);
@@ -88,6 +101,39 @@ bool are_one(const Measure& a, const Measure& b, const features::PartFeatures& f
   const double way = glm::dot(a.along, b.along) < 0 ? -1 : 1;
   const auto near = [&](double x, double y) { return std::abs(x - way * y) <= slack; };
   return (near(a.from, b.from) && near(a.to, b.to)) || (near(a.from, b.to) && near(a.to, b.from));
+}
+
+// Whether one of the sides that automatic angles give follows from a given one: each of its legs is a side at this
+// angle to what they are measured from, or is this. An angle of one side alone is at that side.
+bool follows_from(const Angle& automatic, bool is_alone, const Angle& given, double slack) {
+  const auto& [from, side] = automatic.legs;
+  const Vec3 normal = glm::cross(from, side);
+  if (!are_parallel(glm::normalize(normal), glm::normalize(glm::cross(given.legs[0], given.legs[1])))) return false;
+  const double cosine = std::abs(glm::dot(from, side));
+  int sides = 0;
+  for (const Vec3& leg : given.legs) {
+    const bool is_side = std::abs(std::abs(glm::dot(leg, from)) - cosine) <= features::parallel;
+    if (!is_side && !are_parallel(leg, from)) return false;
+    if (is_side) ++sides;
+  }
+  return sides > 0 && (!is_alone || features::distance_from_line(given.corner, automatic.corner, side) <= slack);
+}
+
+// Takes those sides out of the number for which an automatic angle stands. Whether none is left.
+bool leave_angle_to_others(DimensionDescription& automatic, const Angle& angle,
+                           std::span<DimensionDescription* const> given,
+                           const std::vector<std::optional<Measure>>& measures, double slack) {
+  const int all = repeats_of(automatic.text.value_or(""));
+  int left = all;
+  for (std::size_t j = 0; j < given.size(); ++j)
+    if (measures[j] && measures[j]->angle && given[j]->text.value_or("").rfind('(', 0) != 0 &&
+        follows_from(angle, all == 1, *measures[j]->angle, slack))
+      left -= repeats_of(given[j]->text.value_or(""));
+  if (left == all || left <= 0) return left <= 0;
+  const std::string text = automatic.text.value_or("");
+  automatic.text.value =
+      times(static_cast<std::size_t>(left)) + text.substr(times(static_cast<std::size_t>(all)).size());
+  return false;
 }
 
 // A text in brackets is auxiliary (ISO 129-1). A length across a circle has no text of the circle: number, depth.
@@ -218,6 +264,8 @@ void replace_twins(std::vector<DimensionDescription>& automatic, std::span<Dimen
   const double slack = same_size * glm::length(world.box.size());
   std::vector<char> replaced(automatic.size(), 0);
   for (std::size_t i = 0; i < automatic.size(); ++i) {
+    if (of_automatic[i] && of_automatic[i]->angle)
+      replaced[i] = leave_angle_to_others(automatic[i], *of_automatic[i]->angle, given, of_given, slack) ? 1 : 0;
     if (of_automatic[i] && is_required(automatic[i], *of_automatic[i], {given, of_given}, features, slack))
       replaced[i] = 1;
     for (std::size_t j = 0; j < given.size() && replaced[i] == 0; ++j) {

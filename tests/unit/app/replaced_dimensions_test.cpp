@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/text.hpp"
 #include "drawn_texts.hpp"
 #include "folder.hpp"
 #include "known_parts.hpp"
@@ -16,7 +17,21 @@ namespace {
 class ReplacedDimensions : public testing::Test {
  protected:
   Folder folder;
+
+  // The texts of a part with automatic dimensions and a given one.
+  Words texts_with(const std::string& model, const std::string& given) {
+    const std::string scene =
+        "[[model]]\nfile = \"" + model +
+        ".obj\"\n[[view]]\nprojection = \"front\"\n[[view]]\nprojection = \"top\"\n"
+        "[[view]]\nprojection = \"left\"\n[sheet]\nsize = \"A3\"\n[[dimension]]\ntype = \"auto\"\n"
+        "[[dimension]]\n";
+    const Outcome run = epura({"draw", folder.file("scene.toml", scene + given), "-o", "x.svg"}, folder / "");
+    EXPECT_EQ(run.code, 0) << run.err;
+    return sorted(dimensions_in(read_file(folder / "x.svg")));
+  }
 };
+
+std::string at(const std::string& key, const std::string& point) { return key + " = {point = [" + point + "]}\n"; }
 
 // A dimension of the scene takes the place of the automatic one: on the circle, on one of several equal holes, as a
 // length across a shaft, between the same places. The text of the automatic one stays.
@@ -30,9 +45,6 @@ TEST_F(ReplacedDimensions, AreThereOnce) {
     Words texts;
   };
   const std::string top = "view = \"top\"\n", front = "view = \"front\"\n";
-  const auto at = [](const std::string& key, const std::string& point) {
-    return key + " = {point = [" + point + "]}\n";
-  };
   const std::vector<Case> cases{
       {"one",
        "type = \"diameter\"\ntolerance = \"H7\"\n" + top + at("at", "25, 20, 20"),
@@ -70,16 +82,24 @@ TEST_F(ReplacedDimensions, AreThereOnce) {
        "type = \"overall\"\ndirection = \"width\"\ntolerance = \"±0.3\"\n" + front,
        {"50 ±0.3", "⌀40", "10", "⌀28"}},
   };
-  for (const Case& one : cases) {
-    const std::string scene =
-        "[[model]]\nfile = \"" + one.model +
-        ".obj\"\n[[view]]\nprojection = \"front\"\n[[view]]\nprojection = \"top\"\n"
-        "[[view]]\nprojection = \"left\"\n[sheet]\nsize = \"A3\"\n[[dimension]]\ntype = \"auto\"\n"
-        "[[dimension]]\n";
-    const Outcome run = epura({"draw", folder.file("scene.toml", scene + one.given), "-o", "x.svg"}, folder / "");
-    EXPECT_EQ(run.code, 0) << run.err;
-    EXPECT_EQ(sorted(dimensions_in(read_file(folder / "x.svg"))), sorted(one.texts)) << one.given;
-  }
+  for (const Case& one : cases) EXPECT_EQ(texts_with(one.model, one.given), sorted(one.texts)) << one.given;
+}
+
+// Between two places, or two sides at one angle, of which automatic ones give both: one of them follows.
+TEST_F(ReplacedDimensions, LeaveOneOfTwoToAnother) {
+  folder.file("four.obj", plate({40, 30}, 2, 2, 20, stepped_hole({{4, 20}, {4, 0}})));
+  EXPECT_EQ(
+      texts_with("four", "type = \"linear\"\ndirection = \"horizontal\"\ntolerance = \"±0.05\"\nview = \"top\"\n" +
+                             at("from", "20, 15, 20") + at("to", "60, 15, 20")),
+      sorted({"80", "60", "20", "4× ⌀8", "20", "40 ±0.05", "15", "45"}));
+  const double lean = 8 * sine(20) / cosine(20), apex = 40 + 20 * cosine(20) / sine(20);
+  folder.file("dovetail.obj",
+              block({{0, 0}, {80, 0}, {80, 40}, {60, 40}, {60 + lean, 32}, {20 - lean, 32}, {20, 40}, {0, 40}}, 12));
+  EXPECT_EQ(texts_with("dovetail", "type = \"angular\"\ntolerance = \"±0.5\"\nview = \"front\"\n" +
+                                       at("corner", "40, 0, " + format_number(apex)) +
+                                       at("from", format_number(60 + lean) + ", 0, 32") +
+                                       at("to", format_number(20 - lean) + ", 0, 32")),
+            sorted({"80", "40", "12", "20", "60", "32", "70°", "40° ±0.5°"}));
 }
 
 }  // namespace
