@@ -184,11 +184,18 @@ void FaceDimensions::add_size(std::vector<FaceDimension>& found, int face) const
       plan_.dimension(is_whole ? DimensionType::diameter : DimensionType::radius, *view, "<>", std::move(circle)));
 }
 
-// The radius of the section of a torus, on the side where it is, and the diameter of its ring.
+// The radius of the section of a torus, on the side where it is, and the diameter of its ring, or the radius of the
+// inner side of a bend.
 void FaceDimensions::add_tube(std::vector<FaceDimension>& found, int face) const {
   const PartSurface& surface = face_of(face).surface;
   const bool is_whole = part_->faces[static_cast<std::size_t>(face)].sweep >= 360;
   const NamedProjection* view = plan_.views.across(surface.axis, surface.origin);
+  const double inside = surface.radius - surface.minor;
+  if (const NamedProjection* along = plan_.views.along(surface.axis); along != nullptr && !is_whole && inside > slack_)
+    add(found, Measure::width,
+        plan_.dimension(DimensionType::radius, *along, "<>",
+                        {surface.origin, surface.axis, inside,
+                         arc_through(points_of(face), surface.origin, surface.axis, inside)}));
   if (view == nullptr) return;
   const projection::Projection& projection = view->projection;
   Vec3 aside = are_parallel(projection.u, surface.axis) ? projection.v : projection.u;
