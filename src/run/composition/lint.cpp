@@ -60,33 +60,14 @@ void find_cut_off(std::vector<report::Finding>& findings, const scene::SceneDesc
   }
 }
 
-}  // namespace
-
-std::vector<sheet::DimensionsInView> anchored_dimensions(const world::World& world, const SheetOfViews& sheet,
-                                                         std::span<const view::ProjectedScene> seen,
-                                                         std::span<const Annotations> annotations) {
-  std::vector<sheet::DimensionsInView> views;
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    const std::optional<cut::CuttingSurface>& turned = sheet.plans[i].options.turned;
-    views.push_back({*sheet.descriptions[i].name, seen[i].projection,
-                     sheet::find_anchors(world, turned ? annotations[i].unturned : annotations[i].dimensions)});
-    if (turned) views.back().turned_about = turned->axis();
-  }
-  return views;
-}
-
-void leave_out(std::span<sheet::DimensionsInView> views, std::span<const std::vector<std::size_t>> numbers) {
-  for (std::size_t i = 0; i < views.size(); ++i)
-    for (auto number = numbers[i].rbegin(); number != numbers[i].rend(); ++number)
-      views[i].dimensions.erase(views[i].dimensions.begin() + static_cast<std::ptrdiff_t>(*number));
-}
-
-void add_uncovered_sizes(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
-                         std::span<const sheet::DimensionsInView> views, const Progress& progress) {
+// `held`: as of FreeFaces.
+void add_uncovered_sizes(report::Report& report, const JudgedSheets& sheets, std::span<const char> held,
+                         const Progress& progress) {
+  const auto& [world, scene, views] = sheets;
   const features::PartFeatures features = features::features_to_dimension(world, progress);
   const auto extents = features::true_extents(world);
   sheet::Coverage coverage =
-      sheet::find_coverage(views, {world, features, extents}, notation_of(world, scene.sheets.front()));
+      sheet::find_coverage(views, {world, features, extents}, notation_of(world, scene.sheets.front()), held);
   std::vector<report::Finding>& findings = report.findings;
   for (const std::string& what : coverage.undimensioned)
     findings.push_back({report::FindingKind::undimensioned, "", what});
@@ -98,11 +79,7 @@ void add_uncovered_sizes(report::Report& report, const world::World& world, cons
   report.views_to_add = std::move(coverage.views_to_add);
 }
 
-HatchedFaces add_free_faces(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
-                            std::span<const sheet::DimensionsInView> views, const Granted& granted) {
-  const auto extents = features::true_extents(world);
-  sheet::FreeFaces found =
-      sheet::find_free_faces(views, world, extents, notation_of(world, scene.sheets.front()), granted.rules);
+HatchedFaces add_free_faces(report::Report& report, sheet::FreeFaces found, const Granted& granted) {
   std::set<int> faulty, accepted_free;
   for (const sheet::FreeFace& one : found.free) {
     const auto by = std::find_if(granted.accepted.begin(), granted.accepted.end(), [&](const AcceptedFaces& known) {
@@ -125,6 +102,36 @@ HatchedFaces add_free_faces(report::Report& report, const world::World& world, c
   for (const std::string& what : found.untrue) report.findings.push_back({report::FindingKind::untrue, "", what});
   if (found.count.all > 0) report.sizes.push_back(std::move(found.count));
   return {{faulty.begin(), faulty.end()}, std::move(found.numbers)};
+}
+
+}  // namespace
+
+std::vector<sheet::DimensionsInView> anchored_dimensions(const world::World& world, const SheetOfViews& sheet,
+                                                         std::span<const view::ProjectedScene> seen,
+                                                         std::span<const Annotations> annotations) {
+  std::vector<sheet::DimensionsInView> views;
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const std::optional<cut::CuttingSurface>& turned = sheet.plans[i].options.turned;
+    views.push_back({*sheet.descriptions[i].name, seen[i].projection,
+                     sheet::find_anchors(world, turned ? annotations[i].unturned : annotations[i].dimensions)});
+    if (turned) views.back().turned_about = turned->axis();
+  }
+  return views;
+}
+
+void leave_out(std::span<sheet::DimensionsInView> views, std::span<const std::vector<std::size_t>> numbers) {
+  for (std::size_t i = 0; i < views.size(); ++i)
+    for (auto number = numbers[i].rbegin(); number != numbers[i].rend(); ++number)
+      views[i].dimensions.erase(views[i].dimensions.begin() + static_cast<std::ptrdiff_t>(*number));
+}
+
+HatchedFaces add_missing_sizes(report::Report& report, const JudgedSheets& sheets, const Granted& granted,
+                               const Progress& progress) {
+  const auto& [world, scene, views] = sheets;
+  sheet::FreeFaces found = sheet::find_free_faces(views, world, features::true_extents(world),
+                                                  notation_of(world, scene.sheets.front()), granted.rules);
+  add_uncovered_sizes(report, sheets, found.held, progress);
+  return add_free_faces(report, std::move(found), granted);
 }
 
 void add_missing_requirements(report::Report& report) {

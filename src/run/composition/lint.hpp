@@ -25,10 +25,6 @@ std::vector<sheet::DimensionsInView> anchored_dimensions(const world::World& wor
 /// Takes out dimensions by their numbers in each view.
 void leave_out(std::span<sheet::DimensionsInView> views, std::span<const std::vector<std::size_t>> numbers);
 
-/// Adds the sizes of features that have no dimension, or several, to a report. Throws OutOfTime.
-void add_uncovered_sizes(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
-                         std::span<const sheet::DimensionsInView> views, const Progress& progress);
-
 /// Faces of a model that a scene accepts as they are.
 struct AcceptedFaces {
   int model;
@@ -37,16 +33,24 @@ struct AcceptedFaces {
   std::string reason;
 };
 
+/// Sheets that are judged: what they show, and their dimensions.
+struct JudgedSheets {
+  const world::World& world;
+  const scene::SceneDescription& scene;
+  std::span<const sheet::DimensionsInView> views;
+};
+
 /// What readers of the sheets know beside their numbers.
 struct Granted {
   std::span<const AcceptedFaces> accepted;
   definition::RuleSet rules;
 };
 
-/// Adds the faces that the dimensions leave free to a report, how many they hold, and which dimensions follow from
-/// others. What is accepted of the face by which it is named, is no fault. Returns the others.
-HatchedFaces add_free_faces(report::Report& report, const world::World& world, const scene::SceneDescription& scene,
-                            std::span<const sheet::DimensionsInView> views, const Granted& granted);
+/// Adds to a report the sizes of features that have no dimension, or several; the faces that the dimensions leave free,
+/// how many they hold, and which dimensions follow from others. What is accepted of the face by which it is named, is
+/// no fault. Returns the others. Throws OutOfTime.
+HatchedFaces add_missing_sizes(report::Report& report, const JudgedSheets& sheets, const Granted& granted,
+                               const Progress& progress);
 
 /// Adds the requirements that the sheets lack to the findings.
 void add_missing_requirements(report::Report& report);

@@ -551,10 +551,9 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
 void Run::lint(std::span<FinishedSheet> sheets, const ShownWorlds& worlds) {
   report::Report& report = gathered.report;
   if (!options.allow_missing) add_missing_requirements(report);
-  add_uncovered_sizes(report, worlds.main(), scene, gathered.dimensioned, progress);
   const std::vector<AcceptedFaces> accepted = accepted_faces(scene, worlds.main());
   const HatchedFaces free =
-      add_free_faces(report, worlds.main(), scene, gathered.dimensioned, {accepted, options.rules});
+      add_missing_sizes(report, {worlds.main(), scene, gathered.dimensioned}, {accepted, options.rules}, progress);
   add_all(report.findings, undefined_free_forms(worlds.main(), scene, refers_to_models));
   for (const AcceptedFaces& one : accepted)
     if (std::none_of(report.findings.begin(), report.findings.end(),

@@ -94,6 +94,7 @@ struct Dimensioned {
   std::span<const DimensionsInView> views;
   const DimensionSubject& subject;
   const Notation& notation;
+  std::span<const char> held;  ///< as of find_coverage
   FeatureTable table;
   SizesOnSheet on_sheet;
   std::vector<bool> given;  ///< of each size in the table
@@ -192,7 +193,9 @@ Missing missing_doubly_curved(const world::PlacedPart& part, const Dimensioned& 
   const auto length = [&](double value) { return length_text(value, sheet.notation); };
   Missing missing;
   std::vector<surfaces::PartSurface> seen;
-  for (const surfaces::PartFace& face : part.faces) {
+  for (std::size_t number = 0; number < part.faces.size(); ++number) {
+    if (number < sheet.held.size() && sheet.held[number] != 0) continue;
+    const surfaces::PartFace& face = part.faces[number];
     const surfaces::PartSurface& surface = face.surface;
     const bool sphere = surface.kind == surfaces::SurfaceKind::sphere;
     if (!sphere && surface.kind != surfaces::SurfaceKind::torus) continue;
@@ -314,6 +317,7 @@ FaceCoverage cover_all_faces(const Dimensioned& sheet, const JoinedPlaces& place
   GivenSizes given{[&places](int axis, double at) { return places.has(axis, at); },
                    [&sheet](const surfaces::PartFace& face) { return has_doubly_curved(face, sheet); }};
   given.circles = sized_circles(sheet);
+  given.held = sheet.held;
   given.holes = given_of(sheet, SizeKind::hole);
   check(given.holes.size() == sheet.subject.features.holes.size(), "each hole has a size");
   given.slots = given_of(sheet, SizeKind::slot);
@@ -372,8 +376,8 @@ std::vector<std::string> distinct(const std::vector<std::string>& names) {
 }  // namespace
 
 Coverage find_coverage(std::span<const DimensionsInView> views, const DimensionSubject& subject,
-                       const Notation& notation) {
-  Dimensioned sheet{views, subject, notation, feature_table(subject, notation), {}, {}};
+                       const Notation& notation, std::span<const char> held) {
+  Dimensioned sheet{views, subject, notation, held, feature_table(subject, notation), {}, {}};
   sheet.on_sheet = sizes_on_sheet(views, subject, sheet.table);
   sheet.given = given_sizes(sheet.on_sheet, subject, sheet.table, notation);
   const JoinedPlaces places = join_places(sheet);

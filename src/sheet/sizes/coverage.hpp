@@ -23,8 +23,9 @@ struct Coverage {
 /// Along each axis of the world, places of features are nodes and dimensions join them: a place that no chain of
 /// dimensions joins to the ends of the models is not dimensioned, and a dimension between places that are joined
 /// already repeats others. A diameter joins the middle of a circle with its sides. A text that begins with "4×" counts
-/// for four equal features; a text in brackets is auxiliary (ISO 129-1) and counts for nothing.
+/// for four equal features; a text in brackets is auxiliary (ISO 129-1) and counts for nothing. `held`: by face of the
+/// only model, whether dimensions hold it, of whatever feature (free_faces.hpp); empty where nobody can tell.
 Coverage find_coverage(std::span<const DimensionsInView> views, const DimensionSubject& subject,
-                       const Notation& notation);
+                       const Notation& notation, std::span<const char> held = {});
 
 }  // namespace epura::sheet

@@ -39,7 +39,7 @@ class FaceCounter {
       const auto part = world::place_part(world.models[model]);
       if (!part) continue;
       const auto owners = features::owners_of_faces(world, static_cast<int>(model), *part, subject_.features);
-      for (std::size_t face = 0; face < owners.size(); ++face) count(part->faces[face], owners[face]);
+      for (std::size_t face = 0; face < owners.size(); ++face) count(part->faces[face], owners[face], face);
     }
     for (std::size_t kind = 0; kind < all_.size(); ++kind)
       if (all_[kind] > 0) found_.counts.push_back({kind_names[kind], with_[kind], all_[kind]});
@@ -47,22 +47,23 @@ class FaceCounter {
   }
 
  private:
-  void count(const surfaces::PartFace& face, const FaceOwner& owner) {
+  void count(const surfaces::PartFace& face, const FaceOwner& owner, std::size_t place) {
     const SurfaceKind kind = face.surface.kind;
     if (kind == SurfaceKind::free_form || owner.kind == OwnerKind::letter) return;
     const auto number = static_cast<std::size_t>(kind);
     ++all_[number];
-    if (is_given(face, owner)) ++with_[number];
+    if (is_given(face, owner, place < given_.held.size() && given_.held[place] != 0)) ++with_[number];
   }
 
-  bool is_given(const surfaces::PartFace& face, const FaceOwner& owner) {
-    if (face.surface.kind == SurfaceKind::plane) return has_plane(face, owner);
+  bool is_given(const surfaces::PartFace& face, const FaceOwner& owner, bool is_held) {
+    if (face.surface.kind == SurfaceKind::plane) return has_plane(face, owner, is_held);
     if (face.surface.kind == SurfaceKind::sphere || face.surface.kind == SurfaceKind::torus)
-      return given_.has_doubly_curved(face);
+      return is_held || given_.has_doubly_curved(face);
     return has_round(face);
   }
 
-  bool has_plane(const surfaces::PartFace& face, const FaceOwner& owner) {
+  // Of no feature, it is what dimensions of whatever faces hold.
+  bool has_plane(const surfaces::PartFace& face, const FaceOwner& owner, bool is_held) {
     const auto number = static_cast<std::size_t>(owner.number);
     if (owner.kind == OwnerKind::hole) return given_.holes[number];
     if (owner.kind == OwnerKind::slot) return given_.slots[number];
@@ -80,6 +81,7 @@ class FaceCounter {
         is_side = true;
       }
     if (is_side) return false;
+    if (is_held) return true;
     miss("inclined plane face", face, "place and angle");
     return false;
   }

@@ -31,6 +31,7 @@ struct KnownPrism {
 struct GivenSizes {
   std::function<bool(int, double)> has_place;                        ///< along an axis of the world
   std::function<bool(const surfaces::PartFace&)> has_doubly_curved;  ///< a sphere or torus
+  std::span<const char> held{};                                      ///< as of find_coverage
   std::vector<SizedCircle> circles{};                                ///< of all features that have any
   std::vector<double> radii{};                                       ///< that are given somewhere
   std::vector<KnownPrism> prisms{};

@@ -109,6 +109,7 @@ std::vector<FaceDimension> FaceDimensions::of(int face) const {
   switch (face_of(face).surface.kind) {
     case SurfaceKind::plane:
       add_places(found, face);
+      add_places_on_slope(found, face);
       add_angles(found, face);
       add_edges(found, face);
       add_widths(found, face);
@@ -189,13 +190,13 @@ void FaceDimensions::add_size(std::vector<FaceDimension>& found, int face) const
 void FaceDimensions::add_tube(std::vector<FaceDimension>& found, int face) const {
   const PartSurface& surface = face_of(face).surface;
   const bool is_whole = part_->faces[static_cast<std::size_t>(face)].sweep >= 360;
-  const NamedProjection* view = plan_.views.across(surface.axis, surface.origin);
   const double inside = surface.radius - surface.minor;
   if (const NamedProjection* along = plan_.views.along(surface.axis); along != nullptr && !is_whole && inside > slack_)
     add(found, Measure::width,
         plan_.dimension(DimensionType::radius, *along, "<>",
                         {surface.origin, surface.axis, inside,
                          arc_through(points_of(face), surface.origin, surface.axis, inside)}));
+  const NamedProjection* view = plan_.views.across(surface.axis, surface.origin);
   if (view == nullptr) return;
   const projection::Projection& projection = view->projection;
   Vec3 aside = are_parallel(projection.u, surface.axis) ? projection.v : projection.u;
@@ -266,6 +267,37 @@ void FaceDimensions::add_places(std::vector<FaceDimension>& found, int face) con
   const bool horizontal = std::abs(across->projection.u[axis]) > 0.5;
   const Vec3 out = surface.radius * (horizontal ? -across->projection.v : across->projection.u);
   add_place({across, axis, centre[axis], centre + out, -1, centre - out});
+}
+
+// Of a wall of a pocket or boss that stands on a slope, along this: from the wall that looks at it, or away from it,
+// and from the end of the slope.
+void FaceDimensions::add_places_on_slope(std::vector<FaceDimension>& found, int face) const {
+  const Vec3& normal = face_of(face).surface.axis;
+  const auto is_wall_on = [&](int wall, const Vec3& slope) {
+    const PartSurface& one = face_of(wall).surface;
+    return one.kind == SurfaceKind::plane && std::abs(glm::dot(one.axis, slope)) <= features::parallel;
+  };
+  int slope = -1;
+  for (const int other : beside(face))
+    if (const definition::Face& one = face_of(other);
+        one.surface.kind == SurfaceKind::plane && world_axis(one.surface.axis) < 0 &&
+        is_wall_on(face, one.surface.axis) && (slope < 0 || one.area > face_of(slope).area))
+      slope = other;
+  const NamedProjection* view = plan_.views.beside(normal, face_of(face).at);
+  if (world_axis(normal) >= 0 || slope < 0 || view == nullptr) return;
+  const PartSurface& plane = face_of(slope).surface;
+  check(!are_parallel(plane.axis, normal), "a wall stands on its slope");
+  for (const int other : beside(slope))
+    if (is_wall_on(other, plane.axis) && glm::dot(face_of(other).surface.axis, normal) < -1 + features::parallel)
+      add_width(found, Measure::place, face, face_of(other).at);
+  for (const features::PlaneFeature& one : plan_.subject.features.inclined)
+    if (are_parallel(one.normal, plane.axis) &&
+        std::abs(glm::dot(one.corners.front() - plane.origin, plane.axis)) <= slack_) {
+      const SlantedPlace place{view, &one, normal, face_of(face).at, -1};
+      for (DimensionDescription& dimension : slanted_dimensions(plan_, {&place, 1}))
+        add(found, Measure::place, std::move(dimension));
+      return;
+    }
 }
 
 // With neighbours that are plane, too; first with those across an axis of the world.
@@ -358,21 +390,26 @@ void FaceDimensions::add_widths(std::vector<FaceDimension>& found, int face) con
   const Vec3& normal = face_of(face).surface.axis;
   if (world_axis(normal) >= 0) return;
   const Vec3 from = face_of(face).at;
-  const NamedProjection* view = plan_.views.beside(normal, from);
-  if (view == nullptr) return;
-  std::vector<std::pair<double, double>> places;  // by distance
+  std::vector<std::pair<double, Vec3>> places;  // by distance
   for (int other = 0; other < static_cast<int>(reading_.drawn.faces); ++other)
     if (const PartSurface& one = face_of(other).surface;
         other != face && one.kind == SurfaceKind::plane && are_parallel(one.axis, normal))
-      if (const double off = glm::dot(one.origin - from, normal); std::abs(off) > slack_)
-        places.emplace_back(std::abs(off), off);
-  std::sort(places.begin(), places.end());
+      if (const double off = std::abs(glm::dot(one.origin - from, normal)); off > slack_)
+        places.emplace_back(off, one.origin);
+  std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   check(places.size() < reading_.drawn.faces, "a face is no width from itself");
-  for (std::size_t i = 0; i < std::min(places.size(), most); ++i) {
-    DimensionDescription dimension = plan_.dimension(DimensionType::aligned, *view, "<>");
-    dimension.anchors = {from, from + places[i].second * normal};
-    add(found, Measure::width, std::move(dimension));
-  }
+  for (std::size_t i = 0; i < std::min(places.size(), most); ++i)
+    add_width(found, Measure::width, face, places[i].second);
+}
+
+// Along its normal, to the plane through a point.
+void FaceDimensions::add_width(std::vector<FaceDimension>& found, Measure measure, int face, const Vec3& to) const {
+  const Vec3 &from = face_of(face).at, &normal = face_of(face).surface.axis;
+  const NamedProjection* view = plan_.views.beside(normal, from);
+  if (view == nullptr) return;
+  DimensionDescription dimension = plan_.dimension(DimensionType::aligned, *view, "<>");
+  dimension.anchors = {from, from + glm::dot(to - from, normal) * normal};
+  add(found, measure, std::move(dimension));
 }
 
 }  // namespace epura::sheet

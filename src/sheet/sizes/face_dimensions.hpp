@@ -12,7 +12,7 @@
 namespace epura::sheet {
 
 /// What a dimension measures of a face; the first is what an office would rather give.
-enum class Measure : unsigned char { size, place, angle, edge, width };
+enum class Measure : unsigned char { size, place, angle, width, edge };
 
 struct FaceDimension {
   Measure measure;
@@ -38,11 +38,13 @@ class FaceDimensions {
   void add_tube(std::vector<FaceDimension>& found, int face) const;
   void add_ball(std::vector<FaceDimension>& found, int face) const;
   void add_places(std::vector<FaceDimension>& found, int face) const;
+  void add_places_on_slope(std::vector<FaceDimension>& found, int face) const;
   void add_angles(std::vector<FaceDimension>& found, int face) const;
   void add_cone_angle(std::vector<FaceDimension>& found, int face) const;
   void add_rims(std::vector<FaceDimension>& found, int face) const;
   void add_edges(std::vector<FaceDimension>& found, int face) const;
   void add_widths(std::vector<FaceDimension>& found, int face) const;
+  void add_width(std::vector<FaceDimension>& found, Measure measure, int face, const Vec3& to) const;
   void add(std::vector<FaceDimension>& found, Measure measure, scene::DimensionDescription dimension) const;
 
   const Planning& plan_;

@@ -90,6 +90,8 @@ FreeFaces find_free_faces(std::span<const DimensionsInView> views, const world::
   const auto of_model = account.states.begin() + static_cast<std::ptrdiff_t>(drawn.faces);
   const auto uncertain = std::count(account.states.begin(), of_model, FaceState::uncertain);
   const auto free = std::count(account.states.begin(), of_model, FaceState::free);
+  for (std::size_t face = 0; face < drawn.faces; ++face)
+    found.held.push_back(said.unread.empty() && account.states[face] == FaceState::fixed ? 1 : 0);
   const auto length = [&](double value) { return length_text(value, notation); };
   found.numbers = numbers_of_faces(world);
   for (const definition::Motion& motion : account.motions) {

@@ -26,6 +26,7 @@ struct FreeFace {
 struct FreeFaces {
   std::vector<FreeFace> free;
   std::vector<int> numbers;                                   ///< of all faces of the model in scenes
+  std::vector<char> held;                                     ///< by face of the model: whether dimensions hold it
   std::vector<std::string> repeated;                          ///< dimensions that follow from others, and from which
   std::vector<std::string> undecided;                         ///< what keeps anyone from telling
   std::vector<std::string> contradictory;                     ///< dimensions that cannot all be true
