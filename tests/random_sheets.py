@@ -429,7 +429,7 @@ def joined(found):
         if result and re.fullmatch(r"[⌀R]?[\d.]*", result[-1][0]) and re.fullmatch(r"[\d.]+°?|[°×]", text):
             before = result[-1][1]
             right, down = ((box[i] + box[i + 2] - before[i] - before[i + 2]) / 2 for i in (0, 1))
-            if min(abs(right), abs(down)) > 1 and math.hypot(right, down) < 14:
+            if min(abs(right), abs(down)) > 0.3 and math.hypot(right, down) < 14:
                 result[-1] = (result[-1][0] + text, box)
                 continue
         result.append((text, box))
