@@ -328,6 +328,7 @@ struct KnownPart {
   std::string name, obj;
   std::vector<std::string> texts;  ///< all its dimensions
   std::string lacks{};             ///< how lint counts what they leave open
+  std::string view{};              ///< one that shows it, beside those from the front, the top and the left
 };
 
 // Four holes of different kinds.

@@ -2,8 +2,10 @@
 // Parts with slopes, notches, round ends and holes about an axis or in a slope, of known sizes, in families.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -360,27 +362,33 @@ inline std::vector<KnownPart> tubes_with_radial_holes() {
   return parts;
 }
 
-/// A wedge with blind holes in rows along its slope, perpendicular to it; one row for each radius.
-inline std::string wedge_with_holes(double length, double degrees, int count, double depth,
-                                    const std::vector<double>& radii = {3}) {
+/// The mouth of a hole about a point, with as many points as a square.
+using Mouth = std::function<Loop(const Vec2&)>;
+
+/// A wedge with blind holes in rows along its slope, perpendicular to it; one row for each mouth, whose coordinates are
+/// along the slope and across it.
+inline std::string wedge_with(double length, double degrees, int count, double depth,
+                              const std::vector<Mouth>& mouths) {
   constexpr double row = 24, low = 18;
-  const double width = row * static_cast<double>(radii.size());
-  const int across = k * static_cast<int>(radii.size());
+  const double width = row * static_cast<double>(mouths.size());
+  const int across = k * static_cast<int>(mouths.size());
   Model model;
   const Vec3 along(cosine(degrees), 0, sine(degrees)), up(-along.z, 0, along.x);
   const auto at = [&](const Vec2& p, double below) {
     return Vec3(0, 0, low) + p.x * along + Vec3(0, p.y, 0) - below * up;
   };
   for (int c = 0; c < count; ++c)
-    for (std::size_t r = 0; r < radii.size(); ++r) {
+    for (std::size_t r = 0; r < mouths.size(); ++r) {
       const Vec2 size(length / count, row), corner(c * size.x, row * static_cast<double>(r));
-      const Loop border = square(corner, size), rim = circle(corner + size / 2.0, radii[r], -135);
+      const Loop border = square(corner, size), rim = mouths[r](corner + size / 2.0);
+      std::vector<Vec3> floor;
       for (std::size_t i = 0; i < border.size(); ++i) {
         const std::size_t j = (i + 1) % border.size();
         model.face({at(border[i], 0), at(border[j], 0), at(rim[j], 0), at(rim[i], 0)});
         model.face({at(rim[i], 0), at(rim[j], 0), at(rim[j], depth), at(rim[i], depth)});
-        model.face({at(corner + size / 2.0, depth), at(rim[i], depth), at(rim[j], depth)});
+        floor.push_back(at(rim[i], depth));
       }
+      model.face(floor);
     }
   const double end = length * along.x;
   std::vector<Vec3> front{{0, 0, 0}, {end, 0, 0}}, back{{end, width, 0}, {0, width, 0}};
@@ -398,6 +406,14 @@ inline std::string wedge_with_holes(double length, double degrees, int count, do
   return model.obj();
 }
 
+inline std::string wedge_with_holes(double length, double degrees, int count, double depth,
+                                    const std::vector<double>& radii = {3}) {
+  std::vector<Mouth> mouths;
+  for (const double radius : radii)
+    mouths.emplace_back([radius](const Vec2& centre) { return circle(centre, radius, -135); });
+  return wedge_with(length, degrees, count, depth, mouths);
+}
+
 inline std::vector<KnownPart> wedges_with_holes() {
   std::vector<KnownPart> parts;
   for (int i = 0; i < variants; ++i) {
@@ -411,6 +427,42 @@ inline std::vector<KnownPart> wedges_with_holes() {
     if (count == 2) part.texts.push_back(number(length * 0.75));
     if (count == 3) part.texts.push_back("2× " + number(length / 3) + " (=" + number(length * 2 / 3) + ")");
     parts.push_back(part);
+  }
+  return parts;
+}
+
+/// A wedge with a rectangular pocket in its slope: places and widths along the slope and across it, and its depth.
+inline std::vector<KnownPart> wedges_with_pockets() {
+  std::vector<KnownPart> parts;
+  for (int i = 0; i < variants; ++i) {
+    const double length = 60 + 3 * i, degrees = 12 + 0.5 * i, depth = 5 + 0.2 * i;
+    const Vec2 pocket(20 + 0.5 * i, 9 + 0.2 * i), low = Vec2(length, 24) / 2.0 - pocket / 2.0;
+    const auto mouth = [&](const Vec2& centre) { return square(centre - pocket / 2.0, pocket); };
+    parts.push_back({"a pocket in a slope of " + number(degrees),
+                     wedge_with(length, degrees, 1, depth, {mouth}),
+                     {number(length * cosine(degrees)), "24", "(" + number(18 + length * sine(degrees)) + ")", "18",
+                      number(90 - degrees) + "°", number(low.x), number(pocket.x), number(low.y), number(pocket.y),
+                      number(depth)}});
+  }
+  return parts;
+}
+
+/// A wedge with a slot that runs down its slope, seen along its axis.
+inline std::vector<KnownPart> wedges_with_slots() {
+  std::vector<KnownPart> parts;
+  for (int i = 0; i < variants; ++i) {
+    const double length = 60 + 3 * i, degrees = 12 + 0.5 * i, depth = 5 + 0.25 * i, r = 3 + 0.1 * i, way = 14 + i;
+    const auto mouth = [&](const Vec2& centre) {
+      Loop loop = slot(centre, r, way);
+      std::rotate(loop.begin(), loop.end() - k / 2, loop.end());  // in direction -135 degrees from its end
+      return loop;
+    };
+    parts.push_back({"a slot in a slope of " + number(degrees),
+                     wedge_with(length, degrees, 1, depth, {mouth}),
+                     {number(length * cosine(degrees)), "24", "(" + number(18 + length * sine(degrees)) + ")", "18",
+                      number(90 - degrees) + "°", number(length / 2 - way / 2), number(length / 2 + way / 2), "12",
+                      "2× R" + number(r), number(depth)}});
+    parts.back().view = "auxiliary:direction=" + format_number(-sine(degrees)) + ",0," + format_number(cosine(degrees));
   }
   return parts;
 }

@@ -46,7 +46,7 @@ inline std::vector<std::pair<std::string, sheet::TurnedBox>> boxes_in(const std:
   static const std::regex text(
       "<text[^>]* x=\"([^\"]*)\" y=\"([^\"]*)\" font-size=\"([^\"]*)\"(?: text-anchor=\"([a-z]*)\")?"
       "(?: transform=\"rotate\\(([^ ]*) [^>]*)?>([^<]*)</text>");
-  const sheet::Lettering lettering;
+  static const sheet::Lettering lettering;  // it reads the font
   std::vector<std::pair<std::string, sheet::TurnedBox>> boxes;
   for (std::sregex_iterator it(svg.begin(), svg.end(), text), end; it != end; ++it) {
     const std::smatch& m = *it;

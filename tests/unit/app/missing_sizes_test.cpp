@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "at_length.hpp"
+#include "crossed_parts.hpp"
 #include "drawn_texts.hpp"
 #include "folder.hpp"
 #include "grooved_parts.hpp"
@@ -21,20 +22,21 @@ class MissingSizes : public testing::Test {
  protected:
   Folder folder;
 
-  Outcome lint(const std::string& model) {
-    return epura({"lint", model, "--views", "front,top,left", "--dimensions", "auto", "--sheet", "A2", "-o", "x.svg",
-                  "--svg-text", "text"},
-                 folder / "");
+  Outcome lint(const std::string& model, const std::string& view = {}) {
+    Words arguments{"lint",    model, "--views", "front,top,left", "--dimensions", "auto",
+                    "--sheet", "A2",  "-o",      "x.svg",          "--svg-text",   "text"};
+    if (!view.empty()) arguments.insert(arguments.end(), {"--projection", view});
+    return epura(arguments, folder / "");
   }
   void expect_known(const std::vector<KnownPart>& parts) {
     EXPECT_GE(parts.size(), std::size_t(20));
-    for (std::size_t number = 0; number < parts.size(); number += at_length() ? 1 : 3) {
-      const KnownPart& part = parts[number];
-      const Outcome run = lint(folder.file("part.obj", part.obj));
+    for (const KnownPart& part : parts) {
+      const Outcome run = lint(folder.file("part.obj", part.obj), part.view);
       EXPECT_EQ(run.code, 0) << part.name << ": " << run.out << run.err;
-      const auto boxes = boxes_in(read_file(folder / "x.svg"));
+      const std::string svg = read_file(folder / "x.svg");
+      const auto boxes = boxes_in(svg);
       Words texts;
-      for (const auto& [text, box] : boxes_in(dimension_layers(read_file(folder / "x.svg")))) texts.push_back(text);
+      for (const auto& [text, box] : boxes_in(dimension_layers(svg))) texts.push_back(text);
       EXPECT_EQ(sorted(texts), sorted(part.texts)) << part.name;
       EXPECT_GE(boxes.size(), part.texts.size()) << part.name;
       for (std::size_t i = 0; i < boxes.size(); ++i)
@@ -151,52 +153,76 @@ TEST_F(MissingSizes, AreTold) {
   for (const char* placed : {"scale:1", "rotate:x,20"}) EXPECT_FALSE(contains(told(one, placed), "askew")) << placed;
 }
 
-// Both sides of it are one line.
-TEST_F(MissingSizes, OfThinMetal) {
-  std::vector<KnownPart> foils;
+/// Sheets of metal, both sides of which are one line.
+std::vector<KnownPart> foils() {
+  std::vector<KnownPart> parts;
   for (int i = 1; i <= variants; ++i)
-    foils.push_back({"foil " + number(0.01 * i),
+    parts.push_back({"foil " + number(0.01 * i),
                      block({{0, 0}, {200, 0}, {200, 150}, {0, 150}}, 0.01 * i),
                      {"200", "150", number(0.01 * i)}});
-  expect_known(foils);
+  return parts;
 }
-TEST_F(MissingSizes, OfNotches) { expect_known(v_notches()); }
-TEST_F(MissingSizes, OfPlanesBetweenSlopes) { expect_known(planes_between_slopes()); }
-TEST_F(MissingSizes, OfSlopesToRoundedCorners) { expect_known(slopes_to_rounded_corners()); }
-TEST_F(MissingSizes, OfRoundedTrapezia) { expect_known(rounded_trapezia()); }
-TEST_F(MissingSizes, OfSlopesOf45Degrees) { expect_known(slopes_of_45_degrees()); }
-TEST_F(MissingSizes, OfSlopesOfPlainAngles) { expect_known(slopes_of_plain_angles()); }
-TEST_F(MissingSizes, OfBossesOnAWeb) { expect_known(bosses_on_a_web()); }
-TEST_F(MissingSizes, OfRoundEnds) { expect_known(round_ends()); }
-TEST_F(MissingSizes, OfTongues) { expect_known(tongues()); }
-TEST_F(MissingSizes, OfLinks) { expect_known(links()); }
-TEST_F(MissingSizes, OfRadialHoles) { expect_known(tubes_with_radial_holes()); }
-TEST_F(MissingSizes, OfRadialBlindHoles) { expect_known(shafts_with_blind_holes()); }
-TEST_F(MissingSizes, OfHolesInSlopes) { expect_known(wedges_with_holes()); }
-TEST_F(MissingSizes, OfPairsInSlopes) { expect_known(wedges_with_pairs()); }
-TEST_F(MissingSizes, OfUnevenPitchCircles) { expect_known(uneven_pitch_circles()); }
-TEST_F(MissingSizes, OfConicalBosses) { expect_known(plates_with_conical_bosses()); }
-TEST_F(MissingSizes, OfConicalTubes) { expect_known(conical_tubes()); }
-TEST_F(MissingSizes, OfChannels) { expect_known(channels()); }
-TEST_F(MissingSizes, OfTurnedHoles) {
+
+std::vector<KnownPart> turned_holes() {
   std::vector<KnownPart> parts = plates_with_turned_holes();
   parts.push_back(plate_with_two_turned_holes());
-  expect_known(parts);
+  return parts;
 }
-TEST_F(MissingSizes, OfChamferedHexagons) { expect_known(chamfered_hexagons()); }
-TEST_F(MissingSizes, OfDimples) { expect_known(plates_with_dimples()); }
-TEST_F(MissingSizes, OfGrooves) { expect_known(blocks_with_grooves()); }
-TEST_F(MissingSizes, OfRibs) { expect_known(bases_with_ribs()); }
-TEST_F(MissingSizes, OfPockets) { expect_known(plates_with_pockets()); }
-TEST_F(MissingSizes, OfPocketsBesideHoles) { expect_known(pockets_beside_holes()); }
-TEST_F(MissingSizes, OfBossesOverBores) { expect_known(bosses_over_bores()); }
-TEST_F(MissingSizes, OfRoundTopsThatAGrooveParts) { expect_known(parted_round_tops()); }
-TEST_F(MissingSizes, OfBossesWithRingGrooves) { expect_known(bosses_with_ring_grooves()); }
-TEST_F(MissingSizes, OfOpenSlots) { expect_known(blocks_with_open_slots()); }
-TEST_F(MissingSizes, OfLugs) { expect_known(bases_with_lugs()); }
-TEST_F(MissingSizes, OfOpenKeyways) { expect_known(shafts_with_open_keyways()); }
-TEST_F(MissingSizes, OfRingGrooves) { expect_known(plates_with_ring_grooves()); }
-TEST_F(MissingSizes, OfTurnedBlocks) { expect_known(turned_blocks()); }
+
+/// A kind of feature, and parts of it: each size once, none twice, and no text on another one.
+struct Family {
+  const char* name;
+  std::vector<KnownPart> (*parts)();
+};
+const Family families[] = {
+    {"ThinMetal", foils},
+    {"Notches", v_notches},
+    {"PlanesBetweenSlopes", planes_between_slopes},
+    {"SlopesToRoundedCorners", slopes_to_rounded_corners},
+    {"RoundedTrapezia", rounded_trapezia},
+    {"SlopesOf45Degrees", slopes_of_45_degrees},
+    {"SlopesOfPlainAngles", slopes_of_plain_angles},
+    {"BossesOnAWeb", bosses_on_a_web},
+    {"RoundEnds", round_ends},
+    {"Tongues", tongues},
+    {"Links", links},
+    {"RadialHoles", tubes_with_radial_holes},
+    {"RadialBlindHoles", shafts_with_blind_holes},
+    {"HolesInSlopes", wedges_with_holes},
+    {"PairsInSlopes", wedges_with_pairs},
+    {"UnevenPitchCircles", uneven_pitch_circles},
+    {"ConicalBosses", plates_with_conical_bosses},
+    {"ConicalTubes", conical_tubes},
+    {"Channels", channels},
+    {"ChamferedHexagons", chamfered_hexagons},
+    {"Dimples", plates_with_dimples},
+    {"Grooves", blocks_with_grooves},
+    {"Ribs", bases_with_ribs},
+    {"Pockets", plates_with_pockets},
+    {"PocketsBesideHoles", pockets_beside_holes},
+    {"BossesOverBores", bosses_over_bores},
+    {"RoundTopsThatAGrooveParts", parted_round_tops},
+    {"BossesWithRingGrooves", bosses_with_ring_grooves},
+    {"OpenSlots", blocks_with_open_slots},
+    {"Lugs", bases_with_lugs},
+    {"OpenKeyways", shafts_with_open_keyways},
+    {"RingGrooves", plates_with_ring_grooves},
+    {"TurnedBlocks", turned_blocks},
+    {"TurnedHoles", turned_holes},
+    {"PocketsInSlopes", wedges_with_pockets},
+    {"SlotsInSlopes", wedges_with_slots},
+    {"CrossHoles", shafts_with_cross_holes},
+    {"HolesFromThreeSides", blocks_with_holes_from_three_sides},
+    {"Domes", plates_with_domes},
+    {"Beads", plates_with_beads},
+    {"TurnedBosses", plates_with_turned_bosses},
+    {"TwoLugs", bases_with_two_lugs},
+    {"BentBars", bent_bars},
+};
+class MissingSizesOf : public MissingSizes, public testing::WithParamInterface<Family> {};
+TEST_P(MissingSizesOf, AreThereOnce) { expect_known(GetParam().parts()); }
+INSTANTIATE_TEST_SUITE_P(Families, MissingSizesOf, testing::ValuesIn(families),
+                         [](const auto& family) { return family.param.name; });
 
 }  // namespace
 }  // namespace epura::test::missing_sizes_test
