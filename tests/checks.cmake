@@ -41,6 +41,8 @@ foreach(test page payload element play tree)
            $<TARGET_FILE:epura> ${CMAKE_BINARY_DIR}/share/epura/epura-drawing.js ${CMAKE_BINARY_DIR}/tests/bad-plugins)
   set_tests_properties(${test}_in_browser PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300)
 endforeach()
+add_test(NAME archive_keeps_standards COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/archive.py $<TARGET_FILE:epura>)
+set_tests_properties(archive_keeps_standards PROPERTIES SKIP_RETURN_CODE 77)
 add_test(NAME serve_is_guarded COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_LIST_DIR}/serve_test.py
          $<TARGET_FILE:epura> ${CMAKE_BINARY_DIR}/tests/bad-plugins)
 set_tests_properties(serve_is_guarded PROPERTIES TIMEOUT 300)
