@@ -160,7 +160,8 @@ int DocumentSink::body(const char* name) {
 
 int DocumentSink::points(uint64_t count, const double* xyz) {
   mesh::Points& points = current().points;
-  require(count <= INT_MAX / 6 && (count == 0 || xyz != nullptr), "hands over more points than can be numbered");
+  require(count == 0 || xyz != nullptr, "hands over no points where it says so");
+  require(count <= INT_MAX / 6, "hands over more points than can be numbered");
   expect_fewer(points.size() + count);
   const std::size_t before = points.size();
   points.resize(before + count);

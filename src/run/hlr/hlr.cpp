@@ -130,6 +130,10 @@ void expect_usable(const epura_hlr_exact& exact) {
 void finish(epura_hlr_model& model, const epura_hlr_settings& settings) {
   expect(!model.finished, "model", "is finished already", "begin a new one");
   expect(model.sink.fault().empty(), "sink", "a call " + model.sink.fault(), "");
+  const importer::ImportedFile& told = model.sink.document();
+  for (const importer::Node& node : told.nodes)
+    expect(node.shape < static_cast<int>(told.shapes.size()), "sink",
+           "a call hands over a node of a shape that none begins", "");
   const ThreadLimit limit(threads_of(settings.threads));
   if (settings.exact != nullptr) {
     expect_usable(*settings.exact);

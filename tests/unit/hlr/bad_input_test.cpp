@@ -61,6 +61,22 @@ TEST_F(BadHlrInput, OfTheModelFailsAtItsEnd) {
   {
     const HlrModel model;
     model.shape("part");
+    EXPECT_NE(model.sink->points(model.sink->host, 3, nullptr), 0);
+    EXPECT_EQ(finish(model), "sink: a call hands over no points where it says so");
+  }
+  {
+    const HlrModel model;
+    add_box(model, {1, 2, 3});
+    epura_node node{};
+    node.size = sizeof node;
+    node.parent = EPURA_NONE;
+    node.shape = 1;
+    EXPECT_EQ(model.sink->node(model.sink->host, &node), 0);
+    EXPECT_EQ(finish(model), "sink: a call hands over a node of a shape that none begins");
+  }
+  {
+    const HlrModel model;
+    model.shape("part");
     model.points({0, 0, 0, 1, 0, 0, 0, 1, nan_value});
     model.polygon({0, 1, 2});
     EXPECT_EQ(finish(model), "model: none of its faces can be drawn: 1 with coordinates that are not finite");
