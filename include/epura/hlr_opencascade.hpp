@@ -31,6 +31,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <gp_Cone.hxx>
 #include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
@@ -116,7 +117,8 @@ class OpenCascadeShape {
 
   void add_face(const TopoDS_Face& face) {
     added_.faces.push_back(face);
-    const epura_face surface = surface_of(face);
+    surfaces_.emplace_back(face, false);  // without its borders, which take time
+    const epura_face surface = told_of(surfaces_.back());
     sink_.face(sink_.host, &surface);
     TopLoc_Location location;
     const Handle(Poly_Triangulation) facets = BRep_Tool::Triangulation(face, location);
@@ -160,10 +162,9 @@ class OpenCascadeShape {
     for (int i = 0; i < 3; ++i) to[i] = from.Coord(i + 1);
   }
 
-  static epura_face surface_of(const TopoDS_Face& face) {
+  static epura_face told_of(const BRepAdaptor_Surface& surface) {
     epura_face told{};
     told.size = sizeof told;
-    const BRepAdaptor_Surface surface(face, false);  // without its borders, which take time
     const auto describe = [&](std::uint32_t kind, const gp_Ax3& axes, double radius) {
       told.kind = kind;
       put(told.origin, axes.Location().XYZ());
@@ -194,28 +195,39 @@ class OpenCascadeShape {
     return told;
   }
 
-  // Radians between the normals of both faces, where they differ most of three places along an edge.
-  static double angle_at(const TopoDS_Edge& edge, const TopoDS_Face& one, const TopoDS_Face& other) {
-    constexpr std::array parts{0.25, 0.5, 0.75};
-    std::array<std::array<gp_Vec, parts.size()>, 2> normals;
-    for (std::size_t side = 0; side < 2; ++side) {
-      const TopoDS_Face& face = side == 0 ? one : other;
+  using Normals = std::array<gp_Vec, 3>;
+
+  // At three places along an edge; false if there is none. A plane needs no curve, which Open CASCADE would have to
+  // find.
+  bool find_normals(const TopoDS_Edge& edge, const TopoDS_Face& face, Normals& normals) const {
+    const BRepAdaptor_Surface& surface = surfaces_[static_cast<std::size_t>(known_faces_.FindIndex(face)) - 1];
+    if (surface.GetType() == GeomAbs_Plane) {
+      const gp_Pln plane = surface.Plane();
+      normals.fill(gp_Vec(plane.Position().XDirection()).Crossed(plane.Position().YDirection()));
+    } else {
       double from = 0, to = 0;
       const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, from, to);
-      if (curve.IsNull()) return std::nan("");
-      const BRepAdaptor_Surface surface(face, false);
-      for (std::size_t i = 0; i < parts.size(); ++i) {
-        const gp_Pnt2d at = curve->Value(from + parts[i] * (to - from));
+      if (curve.IsNull()) return false;
+      for (std::size_t i = 0; i < normals.size(); ++i) {
+        const gp_Pnt2d at = curve->Value(from + 0.25 * static_cast<double>(i + 1) * (to - from));
         gp_Pnt point;
         gp_Vec u, v;
         surface.D1(at.X(), at.Y(), point, u, v);
-        gp_Vec& normal = normals[side][i] = u.Crossed(v);
-        if (normal.SquareMagnitude() == 0) return std::nan("");
-        if (face.Orientation() == TopAbs_REVERSED) normal.Reverse();
+        normals[i] = u.Crossed(v);
+        if (normals[i].SquareMagnitude() == 0) return false;
       }
     }
+    if (face.Orientation() == TopAbs_REVERSED)
+      for (gp_Vec& normal : normals) normal.Reverse();
+    return true;
+  }
+
+  // Radians between the normals of both faces, where they differ most.
+  double angle_at(const TopoDS_Edge& edge, const TopoDS_Face& one, const TopoDS_Face& other) const {
+    Normals normals, others;
+    if (!find_normals(edge, one, normals) || !find_normals(edge, other, others)) return std::nan("");
     double largest = 0;
-    for (std::size_t i = 0; i < parts.size(); ++i) largest = std::max(largest, normals[0][i].Angle(normals[1][i]));
+    for (std::size_t i = 0; i < normals.size(); ++i) largest = std::max(largest, normals[i].Angle(others[i]));
     return largest;
   }
 
@@ -251,6 +263,7 @@ class OpenCascadeShape {
   TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge_;
   Ids vertex_ids_;
   std::vector<Ids> edge_ids_;
+  std::deque<BRepAdaptor_Surface> surfaces_;  ///< of added_.faces
   std::uint32_t points_ = 0;
   AddedShape added_;
 };
