@@ -147,16 +147,17 @@ int recognises(const unsigned char* bytes, std::uint64_t count) noexcept {
   }
 }
 
-template <class I>
-const char* read(const epura_source* source, const epura_sink* sink) noexcept {
+/// Calls `read` with what the host gave, and returns the sentence if it fails.
+template <class Read>
+const char* answer(const epura_source* source, const epura_sink* sink, const Read& read) noexcept {
   static thread_local std::string sentence;
   try {
     Sink to(*sink);
     // An older host has a shorter source.
     const bool may_leave = source->size >= sizeof(epura_source) && source->may_leave != 0;
-    I::read(
-        Source{source->path, source->threads, source->tolerance, source->relative_tolerance, source->values, may_leave},
-        to);
+    read(Source{source->path != nullptr ? source->path : "", source->threads, source->tolerance,
+                source->relative_tolerance, source->values, may_leave},
+         to);
     return nullptr;
   } catch (const std::exception& error) {
     sentence = error.what();
@@ -166,6 +167,11 @@ const char* read(const epura_source* source, const epura_sink* sink) noexcept {
     sentence = "threw something that is no std::exception";
   }
   return sentence.c_str();
+}
+
+template <class I>
+const char* read(const epura_source* source, const epura_sink* sink) noexcept {
+  return answer(source, sink, &I::read);
 }
 
 template <class I>

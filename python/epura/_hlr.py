@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import ctypes as c
 import functools
+import importlib
+import io
 import math
 import os
 from pathlib import Path
@@ -14,7 +16,7 @@ import numpy as np
 
 from . import _core, _importers  # loads the library beside which that of hlr.h is
 from ._errors import Error, InputError, made
-from ._models import Model, _geometry
+from ._models import Model, _geometry, _shape_in
 
 _VERSION = 1
 _NONE = 2**32 - 1
@@ -166,6 +168,27 @@ def _view(direction: Sequence[float], up: Sequence[float], eye: Optional[Sequenc
     return view
 
 
+def _address_of(shape: Any) -> Optional[int]:
+    """Of a TopoDS_Shape: a number, or an object of SWIG, as pythonocc has them. None: the shape is something else."""
+    if isinstance(shape, int):
+        return shape
+    wrapped: Any = getattr(shape, "this", None)
+    return int(wrapped) if type(wrapped).__name__ == "SwigPyObject" else None
+
+
+def _brep_of(shape: Any) -> Optional[bytes]:
+    """The text of Open CASCADE for shapes of FreeCAD, and those that OCP wraps, as CadQuery and build123d have them."""
+    if callable(getattr(shape, "exportBrepToString", None)):
+        return shape.exportBrepToString().encode()  # type: ignore[no-any-return]
+    shape = _shape_in(shape)
+    shape = getattr(shape, "wrapped", shape)
+    if not type(shape).__module__.startswith("OCP."):
+        return None
+    text = io.BytesIO()
+    importlib.import_module("OCP.BRepTools").BRepTools.Write_s(shape, text)
+    return text.getvalue()
+
+
 def _fill(sink: _Sink, shape: Any, faces: Any, form: Optional[str], tolerance: float) -> None:
     importers = _folder() / "epura" / "importers"
     if faces is None and isinstance(shape, (str, os.PathLike)):
@@ -175,8 +198,10 @@ def _fill(sink: _Sink, shape: Any, faces: Any, form: Optional[str], tolerance: f
         if not form:
             raise InputError("format: is missing", "format", 'bytes need one: format="glb"')
         return _importers.read_bytes(importers, bytes(shape), form, tolerance, sink)
-    if faces is None and callable(getattr(shape, "exportBrepToString", None)) and _importers.has_importer(importers, "brep"):
-        return _importers.read_bytes(importers, shape.exportBrepToString().encode(), "brep", tolerance, sink)  # FreeCAD
+    if faces is None and (address := _address_of(shape)) is not None:
+        return _importers.read_address(importers, address, tolerance, sink)
+    if faces is None and _importers.has_importer(importers, "brep") and (text := _brep_of(shape)) is not None:
+        return _importers.read_bytes(importers, text, "brep", tolerance, sink)
     geometry = _geometry(Model(shape, faces, tolerance=tolerance or None), "shape")
     points: np.ndarray = geometry["points"]
     sink.shape(sink.host, b"shape")
@@ -221,7 +246,8 @@ def hlr(shape: Any, faces: Any = None, *, direction: Sequence[float] = (1, -1, 1
     """The visible and hidden curves of a shape, without a sheet: nothing is written, and no process is started.
 
     `shape`: vertices (n, 3) with `faces`, or an object of trimesh, meshio, CadQuery, build123d or FreeCAD, as for
-    `Model`. Or a file that an importer reads (glTF, STEP, BREP ...), or its bytes with its `format`, in the unit and the
+    `Model`; a TopoDS_Shape of OCP or pythonocc, or the address of one in this process, which must be of the library of
+    Open CASCADE that the importer uses. Or a file that an importer reads (glTF, STEP, BREP ...), or its bytes with its `format`, in the unit and the
     axes of the file; importers run in this process. `tolerance`: of facets, in mm; 0: 1/20000 of the size. Parallel projection along `direction`, which points to the viewer, onto the plane through `target`; or from
     `eye` onto the plane through `target` that is perpendicular to the line between both. `up` points up the page.
     `matrix` (4, 4) instead of all these: a point as a column is seen at rows 0 and 1 over row 3; row 2 of a parallel

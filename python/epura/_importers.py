@@ -8,7 +8,7 @@ import functools
 import os
 import tempfile
 from pathlib import Path
-from typing import Any, Dict, List
+from typing import Any, Dict, List, Optional
 
 from ._errors import InputError
 
@@ -76,14 +76,19 @@ def _importer_of(folder: Path, ending: str) -> _Importer:
     return row
 
 
+def _source(row: _Importer, path: Optional[bytes], tolerance: float) -> _Source:
+    return _Source(c.sizeof(_Source), os.cpu_count() or 1, path, _values(row), tolerance, 0 if tolerance > 0 else 1 / 20000, 0, 0)
+
+
+def _expect(wrong: Optional[bytes]) -> None:
+    if wrong is not None:
+        raise InputError(f"shape: {wrong.decode('utf-8', 'replace')}", "shape")
+
+
 def read(folder: Path, path: str, ending: str, tolerance: float, sink: Any) -> None:
     """`tolerance`: permitted deviation of facets in mm; 0: 1/20000 of the size."""
     row = _importer_of(folder, ending)
-    source = _Source(c.sizeof(_Source), os.cpu_count() or 1, os.fsencode(path), _values(row), tolerance,
-                     0 if tolerance > 0 else 1 / 20000, 0, 0)
-    wrong = row.read(source, c.addressof(sink))
-    if wrong is not None:
-        raise InputError(f"shape: {wrong.decode('utf-8', 'replace')}", "shape")
+    _expect(row.read(_source(row, os.fsencode(path), tolerance), c.addressof(sink)))
 
 
 def read_bytes(folder: Path, content: bytes, ending: str, tolerance: float, sink: Any) -> None:
@@ -92,3 +97,11 @@ def read_bytes(folder: Path, content: bytes, ending: str, tolerance: float, sink
         file = os.path.join(place, "shape." + ending)
         Path(file).write_bytes(content)
         read(folder, file, ending, tolerance, sink)
+
+
+def read_address(folder: Path, address: int, tolerance: float, sink: Any) -> None:
+    """Of a TopoDS_Shape in this process, of the same library of Open CASCADE as the importer's."""
+    row = _importer_of(folder, "brep")
+    hand_over = c.CDLL(str(folder / "opencascade.so")).epura_opencascade_shape_v1
+    hand_over.restype, hand_over.argtypes = c.c_char_p, [c.c_void_p, c.POINTER(_Source), c.c_void_p]
+    _expect(hand_over(address, _source(row, None, tolerance), c.addressof(sink)))

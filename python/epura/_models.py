@@ -107,16 +107,23 @@ def _is_data(owner: Any, name: str) -> bool:
     return hasattr(owner, name) and not callable(getattr(owner, name))
 
 
+def _shape_in(source: Any) -> Any:
+    """What a Workplane of CadQuery or a BuildPart of build123d is about; others are themselves."""
+    if not hasattr(source, "tessellate"):
+        if callable(getattr(source, "val", None)):
+            return source.val()
+        if hasattr(getattr(source, "part", None), "tessellate"):
+            return source.part
+    return source
+
+
 def _geometry(model: Model, place: str) -> Dict[str, Any]:
     """Vertices and faces of whatever the source is."""
     source, faces = model.source, model.faces
     if faces is None and hasattr(source, "geometry") and hasattr(source, "dump"):  # a scene of trimesh
         source = source.dump(concatenate=True)
-    if faces is None and not hasattr(source, "tessellate"):
-        if callable(getattr(source, "val", None)):  # a Workplane of CadQuery
-            source = source.val()
-        elif hasattr(getattr(source, "part", None), "tessellate"):  # a BuildPart of build123d
-            source = source.part
+    if faces is None:
+        source = _shape_in(source)
     if faces is not None:
         vertices = source
     elif _is_data(source, "vertices") and (_is_data(source, "faces") or _is_data(source, "triangles")):

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Curves of shapes in memory."""
 import base64
+import ctypes
 import json
 import re
 import runpy
+import sys
 from types import SimpleNamespace
 
 import numpy as np
@@ -99,6 +101,27 @@ def test_shapes_of_open_cascade_are_taken_as_text():
     shape = SimpleNamespace(exportBrepToString=lambda: "DBRep_DrawableShape\n")  # as FreeCAD
     with pytest.raises(epura.InputError, match="cut off or damaged"):
         epura.hlr(shape)
+
+
+def test_shapes_of_ocp_are_taken_as_text(monkeypatch):
+    needs("brep")
+    kind = type("TopoDS_Solid", (), {"__module__": "OCP.TopoDS"})
+    writer = SimpleNamespace(Write_s=lambda shape, stream: stream.write(b"DBRep_DrawableShape\n" if type(shape) is kind else b""))
+    monkeypatch.setitem(sys.modules, "OCP.BRepTools", SimpleNamespace(BRepTools=writer))
+    for shape in (kind(), SimpleNamespace(wrapped=kind()), SimpleNamespace(val=lambda: SimpleNamespace(wrapped=kind()))):
+        with pytest.raises(epura.InputError, match="cut off or damaged"):
+            epura.hlr(shape)
+
+
+def test_addresses_that_hold_no_shape_are_refused():
+    needs("brep")
+    words = (ctypes.c_uint64 * 3)()
+    here = ctypes.addressof(words)
+    swig = SimpleNamespace(this=type("SwigPyObject", (), {"__int__": lambda self: here})())  # as pythonocc
+    for shape, reason in ((0, "is null"), (1, "no shape at"), (8, "no shape at"), (here + 4, "no shape at"), (here, "is empty"),
+                          (swig, "is empty"), (id(words), "no shape at"), (2**64 - 8, "no shape at")):
+        with pytest.raises(epura.InputError, match=reason):
+            epura.hlr(shape)
 
 
 @pytest.mark.parametrize("source, more, place", [

@@ -34,6 +34,10 @@ Model read_brep(const std::string& path, const Beside& beside, epura::plugin::Si
   const Handle(Stage) stage = new Stage(sink, 0, share_of_reading);
   const TopoDS_Shape shape = shape_in(path, stage->Start());
   stage->finish();
+  return model_of(shape, beside);
+}
+
+Model model_of(const TopoDS_Shape& shape, const Beside& beside) {
   Model model;
   const Attributes attributes;
   TreeBuilder tree(model, attributes, beside.construction);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "address.hpp"
 #include "hand_over.hpp"
 #include "readers.hpp"
 #include "session.hpp"
@@ -30,12 +31,14 @@ constexpr std::array<epura_parameter, 3> parameters_of_all{parameters_of_step[0]
 
 using Read = occt::Model (*)(const std::string&, const occt::Beside&, Sink&);
 
-void import(Read read, const Source& source, Sink& sink) {
+/// What `read` makes of what is to be drawn beside bodies, in the facets that the source asks for.
+template <class Reading>
+void tell(const Reading& read, bool annotations, const Source& source, Sink& sink) {
   const occt::Silence silence;
   occt::Complaints::install();
   const auto construction = source.values[2] != 0 ? occt::Construction::draw : occt::Construction::omit;
-  const occt::Beside beside{construction, read == occt::read_step && source.values[3] != 0};
-  occt::Model model = occt::guarded("cannot be read", [&] { return read(source.path, beside, sink); });
+  const occt::Beside beside{construction, annotations};
+  occt::Model model = occt::guarded("cannot be read", [&] { return read(beside); });
   if (model.parts.empty())
     throw std::runtime_error("holds no face and no line to draw" +
                              (model.notes.empty() ? std::string() : ": " + model.notes.front()));
@@ -49,6 +52,11 @@ void import(Read read, const Source& source, Sink& sink) {
     return fineness;
   });
   occt::guarded("cannot be handed over", [&] { occt::hand_over(model, chosen, sink); });
+}
+
+void import(Read read, const Source& source, Sink& sink) {
+  tell([&](const occt::Beside& beside) { return read(source.path, beside, sink); },
+       read == occt::read_step && source.values[3] != 0, source, sink);
 }
 
 struct Step {
@@ -84,3 +92,13 @@ struct Brep {
 }  // namespace
 
 EPURA_IMPORTERS(Step, Iges, Brep)
+
+/// Hands over the TopoDS_Shape at an address of this process, as the importer of BREP does one in a file: `source` has
+/// no path, and its values are those of that importer's parameters. For epura's module for Python.
+extern "C" EPURA_EXPORT const char* epura_opencascade_shape_v1(const void* address, const epura_source* source,
+                                                               const epura_sink* sink) {
+  return epura::plugin::importer::answer(source, sink, [&](const Source& wanted, Sink& to) {
+    tell([&](const occt::Beside& beside) { return occt::model_of(occt::shape_at(address), beside); }, false, wanted,
+         to);
+  });
+}

@@ -15,6 +15,9 @@ Model read_step(const std::string& path, const Beside& beside, epura::plugin::Si
 Model read_iges(const std::string& path, const Beside& beside, epura::plugin::Sink& sink);
 Model read_brep(const std::string& path, const Beside& beside, epura::plugin::Sink& sink);
 
+/// The shape of a BREP file, in millimetres.
+Model model_of(const TopoDS_Shape& shape, const Beside& beside);
+
 /// The share of reading in the work reported by Sink::progress.
 inline constexpr double share_of_reading = 0.5;
 
