@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "dimensions/costs.hpp"
+
 namespace epura::sheet {
 
 namespace {
@@ -64,9 +66,10 @@ std::vector<std::string> crossings_of(const PlacedDimensions& placed, const std:
   std::vector<std::string> sentences;
   for (std::size_t i = 0; i < placed.size(); ++i) {
     if (!placed[i]) continue;
-    for (std::size_t j = i + 1; j < placed.size(); ++j)
+    std::size_t others = 0;
+    for (std::size_t j = i + 1; j < placed.size() && others <= max_in_crowd; ++j)
       if (placed[j] && (do_cross(*placed[i], *placed[j]) || have_crossing_leaders(*placed[i], *placed[j])))
-        sentences.push_back(named(i) + " and " + named(j));
+        sentences.push_back(named(i) + " and " + (++others <= max_in_crowd ? named(j) : "more dimensions"));
     if (is_in_other_view(*placed[i], neighbours))
       sentences.push_back(named(i) + " and another view or block of the sheet");
     else if (meets(*placed[i], neighbours))

@@ -46,7 +46,8 @@ using PlacedDimensions = std::vector<std::optional<PlacedDimension>>;
 /// How many of the four faults above a dimension has where it is placed.
 int faults_of(const PlacedDimension& dimension, const drawing::ViewDrawing& drawing, const Neighbours& neighbours);
 
-/// A sentence for each conflict but the limits of the sheet; `texts` are those of the dimensions.
+/// A sentence for each conflict but the limits of the sheet, and of a dimension with more than max_in_crowd others for
+/// the first of these; `texts` are those of the dimensions.
 std::vector<std::string> crossings_of(const PlacedDimensions& placed, const std::vector<std::string>& texts,
                                       const drawing::ViewDrawing& drawing, const Neighbours& neighbours);
 

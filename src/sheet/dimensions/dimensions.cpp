@@ -2,7 +2,6 @@
 #include "dimensions/dimensions.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -17,6 +16,7 @@
 #include "dimensions/forms.hpp"
 #include "dimensions/measure.hpp"
 #include "dimensions/shown_circle.hpp"
+#include "dimensions/strokes.hpp"
 #include "dimensions/surroundings.hpp"
 #include "drawing/drawing.hpp"
 #include "sheet/line_styles.hpp"
@@ -25,9 +25,6 @@
 namespace epura::sheet {
 
 namespace {
-
-// Dimensions, or equal features, whose less usual places are tried: that takes long.
-constexpr std::size_t max_in_crowd = 12;
 
 bool is_on_line(const Vec2& p, const Vec2& on, const Vec2& direction) {
   constexpr double slack = 1e-6;
@@ -74,20 +71,25 @@ void check_ends(const Form& form, const PlacedDimension& dimension) {
 }
 
 struct BestPlacement {
-  const PlacedDimension* dimension = nullptr;
-  double cost = HUGE_VAL;
+  const PlacedDimension* dimension;
+  double cost;
 };
 
 // The cheapest placement if it costs less than `best`. They are in ascending order of their cost.
 BestPlacement better_of(const std::vector<DimensionPlacement>& placements, const Surroundings& surroundings,
-                        BestPlacement best = {}) {
+                        BestPlacement best) {
   for (const DimensionPlacement& placement : placements) {
     if (placement.cost >= best.cost) break;
     const double cost = placement.cost + surroundings.cost(placement.dimension, best.cost - placement.cost);
     if (cost < best.cost) best = {&placement.dimension, cost};
   }
-  check(best.dimension != nullptr, "a dimension has a place");
   return best;
+}
+
+// The cheapest placement, or the first one if all are in a crowd.
+BestPlacement best_of(const std::vector<DimensionPlacement>& placements, const Surroundings& surroundings) {
+  check(!placements.empty(), "a dimension has a place");
+  return better_of(placements, surroundings, {&placements.front().dimension, cost_in_crowd});
 }
 
 // Less usual placements, of forms that have some.
@@ -131,6 +133,7 @@ class Placer {
         order_(order_of(dimensions)),
         surroundings_(drawing, neighbours),
         placed_(dimensions.size()),
+        is_lost_(dimensions.size(), false),
         stays_(dimensions.size(), false) {}
 
   void place_all(const Progress& progress) {
@@ -170,12 +173,13 @@ class Placer {
   PlacedDimensions result() { return std::move(placed_); }
 
  private:
-  // Those that later ones cross are placed anew, now that all others are known. No round makes anything worse.
+  // Those that later ones cross are placed anew, now that all others are known. No round makes anything worse. Those
+  // whose places were all in a crowd would find no better one: there are more in it now.
   void place_crossed_anew(const Progress& progress) {
     constexpr int rounds = 3;
     for (int round = 0; round < rounds; ++round)
       for (const std::size_t i : order_) {
-        if (!placed_[i] || progress.is_out_of_time()) continue;
+        if (!placed_[i] || is_lost_[i] || progress.is_out_of_time()) continue;
         surroundings_.remove(*placed_[i]);
         const bool is_crossed = surroundings_.cost(*placed_[i], cost_of_text) >= cost_of_text;
         surroundings_.add(*placed_[i]);
@@ -209,7 +213,8 @@ class Placer {
     // Rows are large, and in a search for room all are tried again and again.
     const auto [known, is_new] = usual_.try_emplace(i);
     if (is_new) known->second = placements(i);
-    BestPlacement best = better_of(known->second, surroundings_);
+    BestPlacement best = best_of(known->second, surroundings_);
+    is_lost_[i] = best.cost >= cost_in_crowd;
     if (is_crowded_ && best.cost >= cost_of_text) best = better_of(more_placements(i), surroundings_, best);
     placed_[i] = *best.dimension;
     if (!is_searching_ && !is_row(i)) usual_.erase(known);
@@ -330,7 +335,8 @@ class Placer {
   std::vector<std::size_t> order_;
   Surroundings surroundings_;
   PlacedDimensions placed_;
-  std::vector<bool> stays_;  ///< while others are moved
+  std::vector<bool> is_lost_;  ///< whether every place was in a crowd
+  std::vector<bool> stays_;    ///< while others are moved
   std::map<std::size_t, std::vector<DimensionPlacement>> usual_, more_;
   bool is_searching_ = false;  ///< whether room is looked for
   bool is_crowded_ = false;    ///< whether less usual placements are tried, too
@@ -347,95 +353,6 @@ void expect_letters(const std::string& text, const AnchoredDimension& dimension,
   if (!missing.empty())
     throw Error(ErrorKind::input, dimension.where, "no installed font has '" + missing.front() + "'",
                 "write the text without it");
-}
-
-/// A straight stroke, as a part of the line through it.
-struct LinePart {
-  long long angle;    ///< of the line, 1e-9 rad
-  double offset;      ///< of the line from the origin, mm
-  double begin, end;  ///< along the line, mm
-  Vec2 read;          ///< direction of the line
-  Stroke* stroke;
-  std::size_t first;  ///< of the two points of the stroke, the one at `begin`
-};
-
-std::vector<LinePart> straight_parts(PlacedDimensions& placed) {
-  std::vector<LinePart> parts;
-  for (std::optional<PlacedDimension>& dimension : placed) {
-    if (!dimension) continue;
-    for (Stroke& stroke : dimension->strokes) {
-      if (stroke.points.size() != 2 || stroke.points[0] == stroke.points[1]) continue;
-      const Vec2 read = reading_direction(glm::normalize(stroke.points[1] - stroke.points[0]));
-      const double from = glm::dot(read, stroke.points[0]), to = glm::dot(read, stroke.points[1]);
-      parts.push_back({std::llround(1e9 * portable_atan2(read.y, read.x)), cross(read, stroke.points[0]),
-                       std::min(from, to), std::max(from, to), read, &stroke, from < to ? 0U : 1U});
-    }
-  }
-  return parts;
-}
-
-// Of strokes along one another, as extension lines from one place, one is drawn: no pen follows a line twice.
-void draw_once(PlacedDimensions& placed) {
-  constexpr double slack = 1e-6;  // mm
-  std::vector<LinePart> parts = straight_parts(placed);
-  std::stable_sort(parts.begin(), parts.end(), [](const LinePart& a, const LinePart& b) {
-    return std::tie(a.angle, a.offset) < std::tie(b.angle, b.offset);
-  });
-  const auto is_next_line = [](const LinePart& a, const LinePart& b) {
-    return a.angle != b.angle || b.offset - a.offset > slack;
-  };
-  for (auto first = parts.begin(); first != parts.end();) {
-    const auto at = std::adjacent_find(first, parts.end(), is_next_line);
-    const auto last = at == parts.end() ? at : std::next(at);
-    std::stable_sort(first, last, [](const LinePart& a, const LinePart& b) { return a.begin < b.begin; });
-    double drawn = -HUGE_VAL;
-    for (; first != last; ++first) {
-      std::vector<Vec2>& points = first->stroke->points;
-      check(first->begin < first->end, "a part of a line has a length");
-      if (first->begin < drawn - slack) points[first->first] += (drawn - first->begin) * first->read;
-      if (first->end <= drawn + slack) points.clear();
-      drawn = std::max(drawn, first->end);
-    }
-  }
-  for (std::optional<PlacedDimension>& dimension : placed)
-    if (dimension) std::erase_if(dimension->strokes, [](const Stroke& stroke) { return stroke.points.empty(); });
-}
-
-// The part of a line inside a rectangle, as parameters from 0 to 1; nothing if it passes by.
-std::optional<std::array<double, 2>> part_inside(const Rectangle& box, const Vec2& from, const Vec2& to) {
-  double begin = 0, end = 1;
-  for (int axis = 0; axis < 2; ++axis) {
-    const double step = to[axis] - from[axis];
-    if (step == 0 && (from[axis] <= box.min[axis] || from[axis] >= box.max[axis])) return std::nullopt;
-    if (step == 0) continue;
-    const double at_min = (box.min[axis] - from[axis]) / step, at_max = (box.max[axis] - from[axis]) / step;
-    begin = std::max(begin, std::min(at_min, at_max));
-    end = std::min(end, std::max(at_min, at_max));
-  }
-  return begin < end ? std::optional(std::array{begin, end}) : std::nullopt;
-}
-
-// Straight lines make room for letters: no line goes through lettering (ISO 128-2).
-void interrupt_at(const std::vector<TurnedBox>& letters, PlacedDimensions& placed) {
-  constexpr double gap = 0.5;  // mm
-  for (const TurnedBox& letter : letters)
-    for (std::optional<PlacedDimension>& dimension : placed) {
-      if (!dimension) continue;
-      std::vector<Stroke> pieces;
-      for (Stroke& stroke : dimension->strokes) {
-        const Vec2 from = stroke.points.front(), to = stroke.points.back();
-        const auto inside = stroke.points.size() == 2 ? part_inside(around(letter).grown(gap), from, to) : std::nullopt;
-        check(!inside || ((*inside)[0] >= 0 && (*inside)[1] <= 1), "what is left out of a line lies on it");
-        if (!inside) {
-          pieces.push_back(std::move(stroke));
-          continue;
-        }
-        const auto at = [&](double part) { return from + part * (to - from); };
-        if ((*inside)[0] > 0) pieces.push_back(Stroke{{from, at((*inside)[0])}});
-        if ((*inside)[1] < 1) pieces.push_back(Stroke{{at((*inside)[1]), to}});
-      }
-      dimension->strokes = std::move(pieces);
-    }
 }
 
 template <class Ink>

@@ -25,27 +25,35 @@ BoxIndex::Cell BoxIndex::cell_at(const Vec2& place) {
   return {static_cast<int>(cell.x), static_cast<int>(cell.y)};
 }
 
+template <class Visit>
+void BoxIndex::visit_cells_of(const Entry& entry, const Visit& visit) {
+  const Cell last = cell_at(entry.max);
+  for (int x = entry.first[0]; x <= last[0]; ++x)
+    for (int y = entry.first[1]; y <= last[1]; ++y) visit(cells_[{x, y}]);
+}
+
 void BoxIndex::add(std::span<const TurnedBox> boxes) {
   for (const TurnedBox& box : boxes) {
     const auto [known, is_new] = known_.try_emplace(key_of(box), entries_.size());
-    if (!is_new) {
-      ++entries_[known->second].count;
-      continue;
+    if (is_new) {
+      const auto [min, max] = around(box);
+      check(min.x <= max.x && min.y <= max.y, "a rectangle contains its box");
+      entries_.push_back({box, min, max, cell_at(min), 0});
     }
-    const auto [min, max] = around(box);
-    check(min.x <= max.x && min.y <= max.y, "a rectangle contains its box");
-    const Cell first = cell_at(min), last = cell_at(max);
-    for (int x = first[0]; x <= last[0]; ++x)
-      for (int y = first[1]; y <= last[1]; ++y) cells_[{x, y}].push_back(entries_.size());
-    entries_.push_back({box, min, max, first, 1});
+    const std::size_t number = known->second;
+    if (entries_[number].count++ == 0)
+      visit_cells_of(entries_[number], [&](std::vector<std::size_t>& cell) { cell.push_back(number); });
   }
 }
 
+// Boxes that come and go would otherwise fill the cells, and every search would pass all that were ever there.
 void BoxIndex::remove(std::span<const TurnedBox> boxes) {
   for (const TurnedBox& box : boxes) {
     const auto known = known_.find(key_of(box));
     check(known != known_.end() && entries_[known->second].count > 0, "a box that is taken out was added");
-    --entries_[known->second].count;
+    Entry& entry = entries_[known->second];
+    if (--entry.count == 0)
+      visit_cells_of(entry, [&](std::vector<std::size_t>& cell) { std::erase(cell, known->second); });
   }
 }
 
@@ -61,9 +69,7 @@ void BoxIndex::visit_near(const TurnedBox& box, const Visit& visit) const {
       for (const std::size_t i : found->second) {
         const Entry& entry = entries_[i];
         // Both may share several cells; only the cell with the lower left corner of their intersection counts.
-        if (entry.count == 0 || std::max(entry.first[0], first[0]) != cell[0] ||
-            std::max(entry.first[1], first[1]) != cell[1])
-          continue;
+        if (std::max(entry.first[0], first[0]) != cell[0] || std::max(entry.first[1], first[1]) != cell[1]) continue;
         if (entry.min.x > max.x || entry.max.x < min.x || entry.min.y > max.y || entry.max.y < min.y) continue;
         if (!visit(entry)) return;
       }

@@ -40,10 +40,13 @@ class BoxIndex {
     TurnedBox box;
     Vec2 min, max;  ///< of its bounding rectangle
     Cell first;     ///< that of its lower left corner
-    int count;
+    int count;      ///< in the cells if it is not 0
   };
 
   static Cell cell_at(const Vec2& place);
+  /// Calls `visit(boxes of the cell)` for the cells that the rectangle meets.
+  template <class Visit>
+  void visit_cells_of(const Entry& entry, const Visit& visit);
   /// Calls `visit(entry)` once for each box whose rectangle meets that of this one, until that returns false.
   template <class Visit>
   void visit_near(const TurnedBox& box, const Visit& visit) const;
