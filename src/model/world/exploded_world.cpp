@@ -8,6 +8,7 @@
 #include <memory>
 #include <numeric>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "base/error.hpp"
@@ -47,11 +48,16 @@ Bodies bodies_of(const World& world) {
   return bodies;
 }
 
+// Of several, the one farthest along -x, -y, -z, whatever their order in the file.
 Vec3 middle_of_largest(const Bodies& bodies) {
+  const auto rank = [](const MovedBody& body) {
+    const Vec3 middle = body.box.centre();
+    return std::tuple(size_of(body), -middle.x, -middle.y, -middle.z);
+  };
   const MovedBody* largest = nullptr;
   for (const std::vector<MovedBody>& of_model : bodies)
     for (const MovedBody& body : of_model)
-      if (!body.box.empty() && (largest == nullptr || size_of(body) > size_of(*largest))) largest = &body;
+      if (!body.box.empty() && (largest == nullptr || rank(body) > rank(*largest))) largest = &body;
   return largest == nullptr ? Vec3(0) : largest->box.centre();
 }
 

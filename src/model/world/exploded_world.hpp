@@ -24,9 +24,9 @@ struct ExplodedWorld {
 /// Moves bodies and models apart. Several moves of one body add up. `names` are those of the models. A move with a
 /// factor goes along the axis of the largest cylinder of the body, otherwise along the axis of the world in which the
 /// body is farthest from the largest one; its length is the factor times the distance between the middles of both along
-/// that axis. The largest body stays. Bodies that hold others come apart in order (world/explosion_order.hpp). Bodies
-/// that do not move along the axis of their largest cylinder have a trace only if that is requested. Throws
-/// Error{input} for patterns that match no body.
+/// that axis. The largest body stays; of several, the one farthest along -x, -y, -z. Bodies that hold others come apart
+/// in order (world/explosion_order.hpp). Bodies that do not move along the axis of their largest cylinder have a trace
+/// only if that is requested. Throws Error{input} for patterns that match no body.
 ExplodedWorld explode_world(const World& world, std::span<const scene::ExplodeDescription> moves,
                             std::span<const std::string> names);
 

@@ -57,6 +57,15 @@ TEST(ExplosionOrder, BoltsLeaveOnTheSideOfTheirHeadsBeyondAllTheyHold) {
   }
 }
 
+TEST(ExplosionOrder, WhichOfEqualBodiesStaysDoesNotDependOnTheirOrder) {
+  const Shape low = ring(5, 40, 0, 10), high = ring(5, 40, 30, 40);
+  const std::vector<Reach> one = exploded({low, high}, 1), other = exploded({high, low}, 1);
+  EXPECT_EQ(one[0].low, 0);
+  EXPECT_EQ(other[1].low, 0);
+  EXPECT_EQ(one[1].low, other[0].low);
+  EXPECT_GT(one[1].low, 30);
+}
+
 // Upside down, the bolt leaves downwards.
 TEST(ExplosionOrder, SidesDependOnTheHeadAlone) {
   std::vector<Shape> turned = bolted();
