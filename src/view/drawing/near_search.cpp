@@ -191,12 +191,14 @@ std::array<bool, 2> NearSearch::goes_on(const Run& run, bool is_closed) const {
 std::optional<double> NearSearch::closest_approach(const Run& run) const {
   std::array<double, 2> at_ends{HUGE_VAL, HUGE_VAL};
   std::pair<double, double> closest{HUGE_VAL, 0};
-  for (const Near& near : near_) {
-    const std::array<double, 2> places{near.stretch.from, near.stretch.to};
-    if (places[0] < run[0] || places[1] > run[1]) continue;
+  const auto from = [](const Near& near) { return near.stretch.from; };
+  for (auto near = std::ranges::lower_bound(near_, run[0], {}, from); near != near_.end(); ++near) {
+    const std::array<double, 2> places{near->stretch.from, near->stretch.to};
+    if (places[0] > run[1]) break;
+    if (places[1] > run[1]) continue;
     for (std::size_t end = 0; end < 2; ++end) {
-      if (places[end] == run[end]) at_ends[end] = std::min(at_ends[end], near.apart[end]);
-      closest = std::min(closest, {near.apart[end], places[end]});
+      if (places[end] == run[end]) at_ends[end] = std::min(at_ends[end], near->apart[end]);
+      closest = std::min(closest, {near->apart[end], places[end]});
     }
   }
   const bool leaves = std::min(at_ends[0], at_ends[1]) >= apart_at_ends * limits_.distance;
@@ -221,6 +223,7 @@ NearSearch::Run NearSearch::between_contacts(const Run& run, const std::array<bo
 
 void NearSearch::settle(bool is_closed) {
   std::sort(contacts_.begin(), contacts_.end());
+  std::ranges::sort(near_, {}, [](const Near& near) { return near.stretch.from; });
   std::vector<Run> settled;
   for (const Run& run : runs_) {
     const std::array<bool, 2> on = goes_on(run, is_closed);
