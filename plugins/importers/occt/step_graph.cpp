@@ -4,13 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <set>
 
 namespace occt {
 
 namespace {
 
 bool tells_of_requirements(std::string_view keyword) {
-  constexpr std::array<std::string_view, 20> parts{"TOLERANCE",
+  constexpr std::array<std::string_view, 25> parts{"TOLERANCE",
                                                    "DIMENSION",
                                                    "DATUM",
                                                    "SHAPE_ASPECT",
@@ -29,7 +30,12 @@ bool tells_of_requirements(std::string_view keyword) {
                                                    "CALLOUT",
                                                    "TEXT_LITERAL",
                                                    "COMPOSITE_TEXT",
-                                                   "DRAUGHTING_MODEL_ITEM"};
+                                                   "DRAUGHTING_MODEL_ITEM",
+                                                   "ZONE_DEFINITION",
+                                                   "SURFACE_TEXTURE",
+                                                   "VALUE_RANGE",
+                                                   "DOCUMENT",
+                                                   "ROLE"};
   const bool is_one = keyword == "PRODUCT_DEFINITION_SHAPE" || keyword == "REPRESENTATION";
   return is_one || std::any_of(parts.begin(), parts.end(),
                                [&](std::string_view part) { return keyword.find(part) != std::string_view::npos; });
@@ -80,6 +86,21 @@ StepGraph::StepGraph(std::string_view text) {
 const Statement* StepGraph::find(EntityNumber number) const {
   const auto found = statements_.find(number);
   return found == statements_.end() ? nullptr : &found->second;
+}
+
+void visit_parts(EntityNumber root, const std::function<const Statement*(EntityNumber number)>& find,
+                 const std::function<bool(EntityNumber owner, const Record& record)>& follows) {
+  std::vector<EntityNumber> open{root};
+  std::set<EntityNumber> seen{root};
+  for (std::size_t i = 0; i < open.size(); ++i) {
+    const Statement* statement = find(open[i]);
+    if (statement == nullptr) continue;
+    for (const Record& record : statement->records) {
+      if (!follows(statement->number, record)) continue;
+      for (const EntityNumber part : references_in(record.arguments))
+        if (seen.insert(part).second) open.push_back(part);
+    }
+  }
 }
 
 const Record* record_of(const Statement& statement, std::string_view keyword) {

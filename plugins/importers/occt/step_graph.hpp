@@ -2,6 +2,7 @@
 // The statements of a STEP file that tell what the part is required to be, by number.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <string_view>
@@ -27,6 +28,11 @@ class StepGraph {
  private:
   std::map<EntityNumber, Statement> statements_;
 };
+
+/// Goes through the records of a statement and of those to which it leads, each statement once. `find` returns the
+/// statement with a number, or null; `follows` sees each record and says whether its references lead on.
+void visit_parts(EntityNumber root, const std::function<const Statement*(EntityNumber number)>& find,
+                 const std::function<bool(EntityNumber owner, const Record& record)>& follows);
 
 /// The record of this kind; null if the statement has none.
 const Record* record_of(const Statement& statement, std::string_view keyword);

@@ -144,21 +144,15 @@ class NoteReader {
   // What an annotation consists of at the end: texts, or texts of texts. The border has texts of one line.
   [[nodiscard]] std::string letters_of(EntityNumber annotation) const {
     std::string letters;
-    std::vector<EntityNumber> open{annotation};
-    std::set<EntityNumber> seen{annotation};
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      const Statement* statement = graph_.find(open[i]);
-      if (statement == nullptr) continue;
-      for (const Record& record : statement->records) {
-        if (record.keyword == "TEXT_LITERAL" || record.keyword.starts_with("TEXT_LITERAL_WITH")) {
-          const std::string second = unquoted(argument_of(record, 1));
-          append(letters, second.empty() ? unquoted(argument_of(record, 0)) : second, " ");
-        } else if (i == 0 || record.keyword.starts_with("COMPOSITE_TEXT")) {
-          for (const EntityNumber part : references_in(record.arguments))
-            if (seen.insert(part).second) open.push_back(part);
-        }
+    const auto find = [this](EntityNumber number) { return graph_.find(number); };
+    visit_parts(annotation, find, [&](EntityNumber owner, const Record& record) {
+      if (record.keyword == "TEXT_LITERAL" || record.keyword.starts_with("TEXT_LITERAL_WITH")) {
+        const std::string second = unquoted(argument_of(record, 1));
+        append(letters, second.empty() ? unquoted(argument_of(record, 0)) : second, " ");
+        return false;
       }
-    }
+      return owner == annotation || record.keyword.starts_with("COMPOSITE_TEXT");
+    });
     return letters;
   }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include "measures.hpp"
@@ -33,23 +32,21 @@ class PictureReader {
 
   [[nodiscard]] std::vector<Line> lines_of(EntityNumber annotation) const {
     std::vector<Line> lines;
-    std::vector<EntityNumber> open{annotation};
-    std::set<EntityNumber> seen{annotation};
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      const auto found = parts_.find(open[i]);
-      if (found == parts_.end()) continue;
-      for (const Record& record : found->second.records) {
-        if (record.keyword == "POLYLINE")
-          lines.push_back(line_through(references_in(argument_of(record, 1))));
-        else if (record.keyword == "TESSELLATED_CURVE_SET")
-          add_strips(record, lines);
-        else if (record.keyword.ends_with("TRIANGULATED_SURFACE_SET"))
-          add_rims(record, lines);
-        else
-          for (const EntityNumber part : references_in(record.arguments))
-            if (seen.insert(part).second) open.push_back(part);
-      }
-    }
+    const auto find = [this](EntityNumber number) {
+      const auto found = parts_.find(number);
+      return found == parts_.end() ? nullptr : &found->second;
+    };
+    visit_parts(annotation, find, [&](EntityNumber, const Record& record) {
+      if (record.keyword == "POLYLINE")
+        lines.push_back(line_through(references_in(argument_of(record, 1))));
+      else if (record.keyword == "TESSELLATED_CURVE_SET")
+        add_strips(record, lines);
+      else if (record.keyword.ends_with("TRIANGULATED_SURFACE_SET"))
+        add_rims(record, lines);
+      else
+        return true;
+      return false;
+    });
     return lines;
   }
 
