@@ -78,10 +78,11 @@ typedef struct epura_node {
 
 /* What a requirement is. */
 enum {
-  EPURA_DIMENSION = 0, /* a size, distance or angle */
-  EPURA_TOLERANCE = 1, /* a geometric tolerance */
-  EPURA_DATUM = 2,     /* a datum, or a target of one */
-  EPURA_NOTE = 3       /* a text of its faces, or without faces of the whole part */
+  EPURA_DIMENSION = 0,      /* a size, distance or angle */
+  EPURA_TOLERANCE = 1,      /* a geometric tolerance */
+  EPURA_DATUM = 2,          /* a datum, or a target of one */
+  EPURA_NOTE = 3,           /* a text of its faces, or without faces of the whole part */
+  EPURA_SURFACE_TEXTURE = 4 /* of its faces, or without faces of the whole part */
 };
 
 /* What `lower` and `upper` of a requirement are. */
@@ -109,12 +110,14 @@ typedef struct epura_requirement {
   uint32_t face_count;   /* number of faces that it belongs to */
   const uint32_t* faces; /* two numbers for each: that of a shape, and that of a face in it, from 0 in order of calls */
   const char* fit;       /* "H7" */
-  const char* modifiers; /* words with ", " between: "maximum material requirement", "theoretical", "all around" */
+  const char* modifiers; /* words with ", " between: "maximum material requirement", "theoretical", "all around",
+                            "projected 10 mm"; of a texture, "material removal required" or "... prohibited",
+                            "made by grinding" */
   const char* zone;      /* shape of the tolerance zone or datum target: "cylindrical or circular" */
   const char* datums;  /* of a datum: its letter; of a tolerance, in order: "A | B-C (maximum material requirement)" */
   const char* above;   /* the id of the tolerance below whose frame this one stands: a composite tolerance */
   const char* missing; /* what of it could not be read, as "a value, its characteristic" */
-  const char* text;    /* of a note */
+  const char* text;    /* of a note; of a texture, its parameters with "; " between: "Ra 3.2", in micrometres */
   /* Coordinates of what follows are those of the shape of its first face. */
   uint64_t line_count; /* number of lines of a dimension between lines on faces */
   const double* lines; /* six numbers each: the ends */
@@ -177,6 +180,8 @@ typedef struct epura_sink {
   int (*requirement)(void* host, const epura_requirement* requirement);
   /* A view that the file has stored. Optional on both sides, as `requirement`. */
   int (*saved_view)(void* host, const epura_saved_view* view);
+  /* By which dimensions and tolerances are to be understood: "ASME Y14.5-2018". Optional, likewise. */
+  int (*standard)(void* host, const char* name);
 } epura_sink;
 
 /* The file to read, and the required precision. */

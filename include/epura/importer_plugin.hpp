@@ -120,6 +120,11 @@ class Sink {
     if (sink_.size >= offsetof(epura_sink, saved_view) + sizeof sink_.saved_view)
       expect(sink_.saved_view(sink_.host, &view));
   }
+  /// By which dimensions and tolerances are to be understood. Older hosts ignore it.
+  void standard(const std::string& name) {
+    if (sink_.size >= offsetof(epura_sink, standard) + sizeof sink_.standard)
+      expect(sink_.standard(sink_.host, name.c_str()));
+  }
   void note(const std::string& sentence) { expect(sink_.note(sink_.host, sentence.c_str())); }
   void progress(double done) { expect(sink_.progress(sink_.host, done)); }
 

@@ -198,6 +198,7 @@ void hand_over(Model& model, const Fineness& fineness, epura::plugin::Sink& sink
   }
   for (const Requirement& requirement : model.requirements) hand_over(requirement, counter.numbers(), sink);
   for (const SavedView& view : model.saved_views) hand_over(view, sink);
+  if (!model.standard.empty()) sink.standard(model.standard);
   sink.progress(1);
 }
 

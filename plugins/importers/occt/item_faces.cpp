@@ -51,6 +51,7 @@ struct Items {
   std::map<Number, gp_Ax2> places;               ///< in the unit of the file
   std::map<Number, TopoDS_Edge> lines;           ///< beside solids
   std::map<Number, std::array<gp_XYZ, 2>> ends;  ///< of edges, in the unit of the file
+  std::map<Number, TopoDS_Edge> edges;           ///< of solids, as far as they are known
 };
 
 void add_edges(const StepShape_FaceSurface& face, Number number, const StepData_StepModel& model, Items& items) {
@@ -89,6 +90,9 @@ Items items_of(const STEPControl_Reader& reader, const std::set<Number>& wanted)
       add_edges(*face, number, *model, items);
     } else if (wanted.count(number) != 0) {
       if (const auto place = place_of(entity)) items.places.emplace(number, *place);
+      if (const TopoDS_Shape edge = TransferBRep::ShapeResult(process, entity);
+          !edge.IsNull() && edge.ShapeType() == TopAbs_EDGE)
+        items.edges.emplace(number, TopoDS::Edge(edge));
       if (const auto edge = Handle(StepShape_Edge)::DownCast(entity); !edge.IsNull())
         if (const auto from = point_of(edge->EdgeStart()), to = point_of(edge->EdgeEnd()); from && to)
           items.ends.emplace(number, std::array{*from, *to});
@@ -131,7 +135,7 @@ class FaceFinder {
       std::size_t before = requirement.faces.size();
       if (const auto face = items_.faces.find(item); face != items_.faces.end())
         requirement.faces.push_back(face->second);
-      else if (requirement.kind == EPURA_NOTE && items_.ends.count(item) != 0)
+      else if (means_edge(requirement) && items_.ends.count(item) != 0)
         add_edge(item, requirement);
       else if (const auto edge = items_.beside.find(item); edge != items_.beside.end() && means_axis(requirement))
         add_cylinder(edge->second, requirement);
@@ -149,8 +153,13 @@ class FaceFinder {
   // Form tolerances and runouts of an edge mean the edge.
   static bool means_axis(const Requirement& requirement) {
     constexpr std::array<std::string_view, 4> of_axes{"position", "coaxiality", "concentricity", "symmetry"};
-    return requirement.kind != EPURA_TOLERANCE ||
+    return requirement.kind == EPURA_DIMENSION || requirement.kind == EPURA_DATUM ||
            std::find(of_axes.begin(), of_axes.end(), requirement.type) != of_axes.end();
+  }
+
+  static bool means_edge(const Requirement& requirement) {
+    if (requirement.kind == EPURA_DIMENSION) return requirement.type.find("curve") != std::string::npos;
+    return requirement.kind != EPURA_DATUM && !means_axis(requirement);
   }
 
   [[nodiscard]] std::set<Number> candidates(Number item) const {
@@ -174,13 +183,23 @@ class FaceFinder {
     return true;
   }
 
-  // A note of an edge: it is between faces.
+  // It is between faces. A curve has two lines, which meet in its middle.
   void add_edge(Number item, Requirement& requirement) const {
     const auto beside = items_.beside.find(item);
     if (beside == items_.beside.end() || std::isnan(requirement.length_unit)) return;
     for (const Number number : beside->second) requirement.faces.push_back(items_.faces.at(number));
     const std::array<gp_XYZ, 2>& ends = items_.ends.at(item);
     const gp_XYZ from = ends[0] * requirement.length_unit, to = ends[1] * requirement.length_unit;
+    const auto edge = items_.edges.find(item);
+    if (edge == items_.edges.end()) return add_line(from, to, requirement);
+    const BRepAdaptor_Curve curve(edge->second);
+    if (curve.GetType() == GeomAbs_Line) return add_line(from, to, requirement);
+    const gp_XYZ middle = curve.Value((curve.FirstParameter() + curve.LastParameter()) / 2).XYZ();
+    add_line(from, middle, requirement);
+    add_line(middle, to, requirement);
+  }
+
+  static void add_line(const gp_XYZ& from, const gp_XYZ& to, Requirement& requirement) {
     requirement.lines.push_back({from.X(), from.Y(), from.Z(), to.X(), to.Y(), to.Z()});
   }
 
@@ -206,8 +225,7 @@ class FaceFinder {
     }
     for (const Number item : requirement.items) {
       const BRepAdaptor_Curve curve(items_.lines.at(item));
-      const gp_Pnt from = curve.Value(curve.FirstParameter()), to = curve.Value(curve.LastParameter());
-      requirement.lines.push_back({from.X(), from.Y(), from.Z(), to.X(), to.Y(), to.Z()});
+      add_line(curve.Value(curve.FirstParameter()).XYZ(), curve.Value(curve.LastParameter()).XYZ(), requirement);
     }
     return true;
   }

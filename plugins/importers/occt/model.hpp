@@ -47,7 +47,8 @@ struct Place {
   std::optional<Colour> colour{};  ///< instead of those of everything below
 };
 
-/// What the file requires of the part: a dimension, a tolerance, a datum or a note. See epura_requirement.
+/// What the file requires of the part: a dimension, a tolerance, a datum, a surface texture or a note. See
+/// epura_requirement.
 struct Requirement {
   std::uint32_t kind = EPURA_DIMENSION;
   std::string id{}, type{}, name{};
@@ -61,7 +62,7 @@ struct Requirement {
   double length_unit = 1;                   ///< of the points among them, mm
   double target_length = 0, target_width = 0;  ///< of a datum target, mm
   std::vector<TopoDS_Shape> faces{};           ///< that they are or stand for
-  std::string text{};                          ///< of a note
+  std::string text{};                          ///< of a note or a surface texture
   std::vector<std::array<double, 6>> lines{};  ///< in the coordinates of the first face
   std::vector<gp_XYZ> area{};                  ///< likewise: three or none
 };
@@ -82,6 +83,7 @@ struct Model {
   std::vector<std::string> notes;  ///< sentences about repairs and omissions
   std::vector<Requirement> requirements{};
   std::vector<SavedView> saved_views{};
+  std::string standard{};  ///< of dimensions and tolerances; empty: the file names none
 };
 
 /// Names and colours of shapes, without their locations.

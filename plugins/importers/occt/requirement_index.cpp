@@ -10,14 +10,17 @@ namespace occt {
 
 namespace {
 
-/// An entity that joins others: which of its arguments is the one, and which the others.
+/// An entity that joins others: which of its arguments is the one, and which the others. Numbers below 0 count from the
+/// end, since a record of several lacks what it inherits.
 struct Join {
   std::string_view keyword;
-  std::size_t from, to;
+  int from, to;
   References RequirementIndex::*table;
 };
 
-constexpr std::array<Join, 13> joins{
+constexpr int itself = 1000;  // no argument: the entity
+
+constexpr std::array<Join, 19> joins{
     {{"GEOMETRIC_ITEM_SPECIFIC_USAGE", 2, 4, &RequirementIndex::items},
      {"ITEM_IDENTIFIED_REPRESENTATION_USAGE", 2, 4, &RequirementIndex::items},
      {"SHAPE_ASPECT_RELATIONSHIP", 2, 3, &RequirementIndex::parts},
@@ -27,14 +30,27 @@ constexpr std::array<Join, 13> joins{
      {"SHAPE_DEFINITION_REPRESENTATION", 0, 1, &RequirementIndex::representations},
      {"PROPERTY_DEFINITION_REPRESENTATION", 0, 1, &RequirementIndex::representations},
      {"PLUS_MINUS_TOLERANCE", 1, 0, &RequirementIndex::bounds},
-     {"TOLERANCE_ZONE", 4, 5, &RequirementIndex::zones},
+     {"TOLERANCE_ZONE", -2, itself, &RequirementIndex::zones},
+     {"PROJECTED_ZONE_DEFINITION", 0, itself, &RequirementIndex::definitions},
+     {"PROJECTED_ZONE_DEFINITION_WITH_OFFSET", 0, itself, &RequirementIndex::definitions},
+     {"NON_UNIFORM_ZONE_DEFINITION", 0, itself, &RequirementIndex::definitions},
+     {"RUNOUT_ZONE_DEFINITION", 0, itself, &RequirementIndex::definitions},
+     {"PROPERTY_DEFINITION", 2, itself, &RequirementIndex::properties},
+     {"PROPERTY_DEFINITION_RELATIONSHIP", 2, 3, &RequirementIndex::property_parts},
      {"MEASURE_QUALIFICATION", 2, 3, &RequirementIndex::qualifiers},
      {"DRAUGHTING_MODEL_ITEM_ASSOCIATION", 4, 2, &RequirementIndex::shown},
      {"DRAUGHTING_MODEL_ITEM_ASSOCIATION_WITH_PLACEHOLDER", 4, 2, &RequirementIndex::shown}}};
 
-void add(RequirementIndex& index, const Join& join, const Record& record) {
-  const std::vector<EntityNumber> others = references_in(argument_of(record, join.to));
-  for (const EntityNumber one : references_in(argument_of(record, join.from))) {
+std::vector<EntityNumber> joined(EntityNumber number, const Record& record, int place) {
+  if (place == itself) return {number};
+  const std::vector<std::string_view> arguments = separated(record.arguments);
+  const std::size_t at = static_cast<std::size_t>(place) + (place < 0 ? arguments.size() : 0);
+  return at < arguments.size() ? references_in(arguments[at]) : std::vector<EntityNumber>();
+}
+
+void add(RequirementIndex& index, const Join& join, EntityNumber number, const Record& record) {
+  const std::vector<EntityNumber> others = joined(number, record, join.to);
+  for (const EntityNumber one : joined(number, record, join.from)) {
     std::vector<EntityNumber>& known = (index.*join.table)[one];
     known.insert(known.end(), others.begin(), others.end());
   }
@@ -77,10 +93,8 @@ RequirementIndex index_of(const StepGraph& graph) {
   for (const auto& [number, statement] : graph.statements()) {
     for (const Record& record : statement.records) {
       for (const Join& join : joins)
-        if (record.keyword == join.keyword) add(index, join, record);
+        if (record.keyword == join.keyword) add(index, join, number, record);
       if (record.keyword == "GEOMETRIC_TOLERANCE_RELATIONSHIP") add_composite(index, record);
-      if (record.keyword == "PROPERTY_DEFINITION")
-        index.properties[reference_in(argument_of(record, 2))].push_back(number);
     }
   }
   separate_datums(index, graph);

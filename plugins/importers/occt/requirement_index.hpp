@@ -19,9 +19,11 @@ struct RequirementIndex {
   References datums;           ///< of a feature or target
   References representations;  ///< of a dimension or a property
   References properties;       ///< of a target: the property whose representation has its place and size; of others
+  References property_parts;   ///< of a property: those related to it
   References shown;            ///< of an annotation or a callout: what it shows
   References bounds;           ///< of a dimension: TOLERANCE_VALUE, LIMITS_AND_FITS
-  References zones;            ///< of a tolerance: TOLERANCE_ZONE_FORM
+  References zones;            ///< of a tolerance: TOLERANCE_ZONE
+  References definitions;      ///< of a zone: what says more of it
   References above;            ///< of a tolerance: the one in whose frame it stands below
   References qualifiers;       ///< of a measure
 };

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <set>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "measures.hpp"
 #include "requirement_index.hpp"
 #include "step_notes.hpp"
+#include "step_textures.hpp"
 
 namespace occt {
 
@@ -45,19 +47,58 @@ const Record* dimension_in(const Statement& statement) {
   return found == statement.records.end() ? nullptr : &*found;
 }
 
+// Whether a document is called the standard of dimensions or tolerances, or has the name of one.
+bool names_standard(const std::string& id, const std::string& words) {
+  const bool is_of_drawings =
+      words.find("dimension") != std::string::npos || words.find("toleranc") != std::string::npos;
+  return id.starts_with("ASME ") || id.starts_with("ISO ") ||
+         (is_of_drawings && words.find("standard") != std::string::npos);
+}
+
+// Documents are referred to in a role: "dimensioning standard".
+std::string standard_in(const StepGraph& graph) {
+  std::map<EntityNumber, std::string> ids, words;            // of documents
+  std::map<EntityNumber, EntityNumber> references;           // documents
+  std::vector<std::pair<EntityNumber, EntityNumber>> roles;  // and what has them
+  for (const auto& [number, statement] : graph.statements())
+    for (const Record& record : statement.records) {
+      if (record.keyword == "DOCUMENT") {
+        const std::string id = unquoted(argument_of(record, 0)), name = unquoted(argument_of(record, 1));
+        ids[number] = id.empty() ? name : id;
+        words[number] = lower_case(name + " " + unquoted(argument_of(record, 2)));
+      } else if (record.keyword.ends_with("DOCUMENT_REFERENCE")) {
+        references[number] = reference_in(argument_of(record, 0));
+      } else if (record.keyword == "ROLE_ASSOCIATION") {
+        roles.emplace_back(reference_in(argument_of(record, 0)), reference_in(argument_of(record, 1)));
+      }
+    }
+  for (const auto& [role, reference] : roles)
+    if (const Statement* statement = graph.find(role); statement != nullptr && references.count(reference) != 0)
+      if (const Record* record = record_of(*statement, "OBJECT_ROLE"))
+        words[references[reference]] +=
+            " " + lower_case(unquoted(argument_of(*record, 0)) + " " + unquoted(argument_of(*record, 1)));
+  std::string standards;
+  for (const auto& [number, id] : ids)
+    if (names_standard(id, words[number])) append(standards, id);
+  return standards;
+}
+
 const char* lack_of(const Measure& measure, const char* otherwise) {
   return measure.has_unit ? otherwise : "the unit of a value";
 }
 
 class RequirementReader {
  public:
-  explicit RequirementReader(std::string_view text) : graph_(text), index_(index_of(graph_)) {}
+  explicit RequirementReader(std::string_view text)
+      : graph_(text), index_(index_of(graph_)), length_unit_(length_unit_in(graph_)) {}
 
   StepRequirements read() {
-    std::vector<Requirement> found;
+    StepRequirements result;
+    std::vector<Requirement>& found = result.all;
     for (const auto& [number, statement] : graph_.statements()) {
       Requirement requirement;
       requirement.id = "#" + std::to_string(number);
+      requirement.length_unit = length_unit_;
       if (const Record* dimension = dimension_in(statement)) {
         read_dimension(number, *dimension, requirement);
       } else if (has_record(statement, is_tolerance)) {
@@ -71,9 +112,13 @@ class RequirementReader {
       }
       found.push_back(std::move(requirement));
     }
+    result.read = std::move(read_);
+    std::ranges::move(textures_in_step(graph_, index_, items_left_, result.read), std::back_inserter(found));
     Notes notes = notes_in_step(graph_, index_, items_left_);
     std::ranges::move(notes.all, std::back_inserter(found));
-    return {std::move(found), std::move(notes.wordless)};
+    result.pictures = std::move(notes.wordless);
+    result.standard = standard_in(graph_);
+    return result;
   }
 
  private:
@@ -184,12 +229,25 @@ class RequirementReader {
     requirement.is_angle = magnitude.is_angle;
     if (std::isnan(requirement.value)) append(requirement.missing, lack_of(magnitude, "a value"));
     find_place(reference_in(argument_of(*whole, 3)), requirement);
-    for (const EntityNumber form : listed(index_.zones, number))
-      if (const Statement* zone = graph_.find(form))
-        if (const Record* name = record_of(*zone, "TOLERANCE_ZONE_FORM"))
-          append(requirement.zone, lower_case(unquoted(argument_of(*name, 0))));
+    for (const EntityNumber zone : listed(index_.zones, number)) read_zone(zone, requirement);
     for (const EntityNumber above : listed(index_.above, number))
       append(requirement.above, "#" + std::to_string(above));
+  }
+
+  void read_zone(EntityNumber number, Requirement& requirement) {
+    const Record* zone = record_of(*graph_.find(number), "TOLERANCE_ZONE");
+    const Statement* form = graph_.find(reference_in(last_argument_of(*zone)));
+    if (const Record* name = form == nullptr ? nullptr : record_of(*form, "TOLERANCE_ZONE_FORM"))
+      append(requirement.zone, lower_case(unquoted(argument_of(*name, 0))));
+    for (const EntityNumber definition : listed(index_.definitions, number)) {
+      read_.insert(definition);
+      for (const Record& record : graph_.find(definition)->records) {
+        if (record.keyword == "PROJECTED_ZONE_DEFINITION")
+          add_length("projected", argument_of(record, 3), requirement);
+        else
+          append(requirement.missing, std::string(record.keyword));
+      }
+    }
   }
 
   // What a tolerance holds for: an aspect, what a dimension measures, or the whole part.
@@ -215,18 +273,18 @@ class RequirementReader {
     } else if (keyword == "GEOMETRIC_TOLERANCE_WITH_MODIFIERS" || keyword == "MODIFIED_GEOMETRIC_TOLERANCE") {
       for (const std::string& modifier : enumerations_in(record.arguments)) append(requirement.modifiers, modifier);
     } else if (keyword == "GEOMETRIC_TOLERANCE_WITH_MAXIMUM_TOLERANCE") {
-      add_length("maximum", record, requirement);
+      add_length("maximum", argument_of(record, 0), requirement);
     } else if (keyword == "UNEQUALLY_DISPOSED_GEOMETRIC_TOLERANCE") {
-      add_length("unequally disposed", record, requirement);
+      add_length("unequally disposed", argument_of(record, 0), requirement);
     } else if (keyword == "GEOMETRIC_TOLERANCE_WITH_DEFINED_UNIT") {
-      add_length("per unit of", record, requirement);
+      add_length("per unit of", argument_of(record, 0), requirement);
     } else if (keyword != "GEOMETRIC_TOLERANCE" && characteristic_in(keyword).empty()) {
       append(requirement.missing, std::string(keyword));
     }
   }
 
-  void add_length(const std::string& word, const Record& record, Requirement& requirement) const {
-    const Measure length = measure(reference_in(argument_of(record, 0)));
+  void add_length(const std::string& word, std::string_view reference, Requirement& requirement) const {
+    const Measure length = measure(reference_in(reference));
     if (std::isnan(length.value)) return append(requirement.missing, "the length of '" + word + "'");
     append(requirement.modifiers, word + " " + printed_length(length.value) + " mm");
   }
@@ -301,7 +359,9 @@ class RequirementReader {
 
   const StepGraph graph_;
   const RequirementIndex index_;
+  const double length_unit_;
   std::size_t items_left_ = max_items;
+  std::set<EntityNumber> read_{};  ///< definitions of zones
 };
 
 }  // namespace

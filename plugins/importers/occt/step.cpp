@@ -192,7 +192,8 @@ Model read_step(const std::string& file, const Beside& beside, epura::plugin::Si
   model.requirements = std::move(stated.all);
   model.saved_views = saved_views_of(reader.Reader(), text, model.notes);
   add_annotations(model, text, stated.pictures, beside.annotations);
-  const std::vector<std::string> unread = unread_in_step(text);
+  const std::vector<std::string> unread = unread_in_step(text, stated.read);
+  model.standard = std::move(stated.standard);
   model.notes.insert(model.notes.end(), unread.begin(), unread.end());
   return model;
 }

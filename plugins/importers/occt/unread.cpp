@@ -79,11 +79,14 @@ bool is_body(std::string_view keyword) {
 /// Goes through the statements of a STEP file. Dimensions, tolerances, datums and saved views are read elsewhere.
 class StepCounter {
  public:
+  explicit StepCounter(const std::set<EntityNumber>& read) : read_(read) {}
+
   void see(const Statement& statement) {
     std::set<Thing> things;
     for (const Record& record : statement.records) {
       if (const Thing* thing = thing_of(record.keyword)) things.insert(*thing);
-      if (is_unread_requirement(record.keyword)) ++unread_[std::string(record.keyword)];
+      if (is_unread_requirement(record.keyword) && read_.count(statement.number) == 0)
+        ++unread_[std::string(record.keyword)];
       if (record.keyword == "PRESENTATION_LAYER_ASSIGNMENT") layers_.insert(statement.number);
       if (record.keyword == "INVISIBILITY") note_hidden(record.arguments);
       if (is_body(record.keyword)) bodies_.insert(statement.number);
@@ -135,16 +138,17 @@ class StepCounter {
       if (const unsigned long long item = reference_in(argument)) styled_.insert_or_assign(number, item);
   }
 
-  Counts counts_;
-  std::map<std::string, std::size_t> unread_;  ///< entities that say more of requirements
-  std::set<unsigned long long> layers_, hidden_, bodies_;
-  std::map<unsigned long long, unsigned long long> styled_;  ///< what styled items style
+  const std::set<EntityNumber>& read_;
+  Counts counts_{};
+  std::map<std::string, std::size_t> unread_{};  ///< entities that say more of requirements
+  std::set<unsigned long long> layers_{}, hidden_{}, bodies_{};
+  std::map<unsigned long long, unsigned long long> styled_{};  ///< what styled items style
 };
 
 }  // namespace
 
-std::vector<std::string> unread_in_step(std::string_view text) {
-  StepCounter counter;
+std::vector<std::string> unread_in_step(std::string_view text, const std::set<EntityNumber>& read) {
+  StepCounter counter(read);
   visit_statements(text, [&](const Statement& statement) { counter.see(statement); });
   return counter.sentences();
 }

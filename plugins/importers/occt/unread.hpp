@@ -2,15 +2,18 @@
 // What a file holds and this importer does not read: counted, so that nobody takes the drawing for all of it.
 #pragma once
 
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "step_graph.hpp"
+
 namespace occt {
 
-/// Sentences about views and layers of a STEP file, and what `requirements_in_step` does not read. Shapes of triangles
-/// are counted: they stand beside exact ones.
-std::vector<std::string> unread_in_step(std::string_view text);
+/// Sentences about views and layers of a STEP file, and what says more of requirements than `requirements_in_step` has
+/// `read`. Shapes of triangles are counted: they stand beside exact ones.
+std::vector<std::string> unread_in_step(std::string_view text, const std::set<EntityNumber>& read);
 
 /// Why no shape could be read from a STEP file, if its shapes are of kinds that are not read, and what helps; otherwise
 /// empty.

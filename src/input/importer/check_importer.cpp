@@ -157,7 +157,7 @@ class Checker {
     return a.unit == b.unit && a.is_y_up == b.is_y_up && std::ranges::equal(a.shapes, b.shapes, same_shape) &&
            std::ranges::equal(a.nodes, b.nodes, same_node) &&
            std::ranges::equal(a.requirements, b.requirements, same_requirement) &&
-           std::ranges::equal(a.saved_views, b.saved_views, same_view);
+           std::ranges::equal(a.saved_views, b.saved_views, same_view) && a.standard == b.standard;
   }
 
   template <class Check>

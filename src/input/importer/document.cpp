@@ -49,7 +49,7 @@ bool is_sound(const Shape& shape) {
 }
 
 bool is_sound_requirement(const Requirement& requirement, const std::vector<Shape>& shapes) {
-  return requirement.kind <= RequirementKind::note && requirement.bounds <= RequirementBounds::limits &&
+  return requirement.kind <= RequirementKind::surface_texture && requirement.bounds <= RequirementBounds::limits &&
          -1 <= requirement.decimals && requirement.decimals <= max_decimals && has_sound_places(requirement) &&
          std::all_of(requirement.faces.begin(), requirement.faces.end(), [&](const std::array<int, 2>& face) {
            return 0 <= face[0] && face[0] < static_cast<int>(shapes.size()) && 0 <= face[1] &&

@@ -56,10 +56,12 @@ enum class RequirementKind : std::uint32_t {
   dimension = EPURA_DIMENSION,
   tolerance = EPURA_TOLERANCE,
   datum = EPURA_DATUM,
-  note = EPURA_NOTE
+  note = EPURA_NOTE,
+  surface_texture = EPURA_SURFACE_TEXTURE
 };
 /// Indexed by RequirementKind.
-inline constexpr std::array<std::string_view, 4> requirement_kind_names{"dimension", "tolerance", "datum", "note"};
+inline constexpr std::array<std::string_view, 5> requirement_kind_names{"dimension", "tolerance", "datum", "note",
+                                                                        "surface texture"};
 
 enum class RequirementBounds : std::uint32_t {
   none = EPURA_NO_BOUNDS,
@@ -69,8 +71,9 @@ enum class RequirementBounds : std::uint32_t {
 /// Indexed by RequirementBounds.
 inline constexpr std::array<std::string_view, 3> requirement_bounds_names{"none", "deviations", "limits"};
 
-/// A dimension, a geometric tolerance, a datum or a note, as the file states it. Lengths are in millimetres, angles in
-/// degrees; NaN: the file does not say. For the texts see epura_requirement; empty: the file does not say.
+/// A dimension, a geometric tolerance, a datum, a note or a surface texture, as the file states it. Lengths are in
+/// millimetres, angles in degrees; NaN: the file does not say. For the texts see epura_requirement; empty: the file
+/// does not say.
 struct StatedRequirement {
   RequirementKind kind;
   RequirementBounds bounds;
@@ -80,7 +83,7 @@ struct StatedRequirement {
   double unit;  ///< of the file, in millimetres or degrees; 0: not known
   std::string id{}, type{}, name{}, fit{}, modifiers{}, zone{}, datums{}, above{};
   std::string missing{};                       ///< what of it could not be read
-  std::string text{};                          ///< of a note
+  std::string text{};                          ///< of a note or a surface texture
   std::vector<std::array<double, 6>> lines{};  ///< see epura_requirement
   std::vector<std::array<double, 3>> area{};   ///< three or none; likewise
 };

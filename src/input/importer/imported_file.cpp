@@ -41,12 +41,14 @@ void pack_file(foreign::Packer& pack, const ImportedFile& file) {
   pack_document(pack, file);
   pack(file.saved_views.size());
   for (const SavedView& view : file.saved_views) pack_view(pack, view);
+  pack(file.standard);
 }
 
 ImportedFile unpack_file(foreign::Unpacker& unpack) {
   ImportedFile file{unpack_document(unpack)};
   file.saved_views.resize(unpack.count(1));
   for (SavedView& view : file.saved_views) pack_view(unpack, view);
+  unpack(file.standard);
   return file;
 }
 

@@ -21,6 +21,7 @@ struct SavedView {
 
 struct ImportedFile : Document {
   std::vector<SavedView> saved_views{};
+  std::string standard{};  ///< of dimensions and tolerances; empty: the file names none
 };
 
 /// Whether directions and places of a view are finite, and directions not zero or along each other.

@@ -190,6 +190,7 @@ ReadModel read_by_importer(const ImporterEntry& importer, const Source& source, 
           surfaces::part_of(model.mesh, assembled.part, surfaces::RecogniseOptions().tangent_angle));
     model.requirements = requirements_of(document, assembled, model.mesh, model.part.get());
     model.saved_views = document.saved_views;
+    model.standard = document.standard;
     if (document.unit > 0) model.unit = document.unit;
     model.is_y_up = document.is_y_up != 0;
     model.tree = std::move(assembled.tree);

@@ -36,6 +36,7 @@ struct ReadModel {
   std::vector<TreePart> tree{};                       ///< parents before children; empty for formats without a tree
   std::vector<ModelRequirement> requirements{};       ///< in the order of the file
   std::vector<SavedView> saved_views{};               ///< likewise
+  std::string standard{};                             ///< of dimensions and tolerances; empty: the file names none
 };
 
 /// Reads mesh formats with mesh::read_mesh, and all other files with the importer for their extension or content.

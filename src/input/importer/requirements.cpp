@@ -67,13 +67,15 @@ std::vector<ModelRequirement> requirements_of(const Document& document, const As
   return requirements;
 }
 
+bool is_measured(RequirementKind kind) { return kind != RequirementKind::datum && kind != RequirementKind::note; }
+
 std::size_t count_of(const std::vector<ModelRequirement>& requirements, RequirementKind kind) {
   return static_cast<std::size_t>(std::count_if(requirements.begin(), requirements.end(),
                                                 [&](const ModelRequirement& one) { return one.kind == kind; }));
 }
 
 std::string counted_requirements(const std::vector<ModelRequirement>& requirements) {
-  constexpr std::array words{"dimension", "geometric tolerance", "datum", "note"};
+  constexpr std::array words{"dimension", "geometric tolerance", "datum", "note", "surface texture"};
   std::vector<std::string> counts;
   for (std::size_t kind = 0; kind < words.size(); ++kind) {
     const std::size_t count = count_of(requirements, static_cast<RequirementKind>(kind));

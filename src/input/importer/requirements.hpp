@@ -23,6 +23,9 @@ std::vector<ModelRequirement> requirements_of(const Document& document, const As
 /// "12 dimensions, 6 geometric tolerances and 3 datums"; empty if there are none.
 std::string counted_requirements(const std::vector<ModelRequirement>& requirements);
 
+/// Whether an inspection measures requirements of this kind.
+bool is_measured(RequirementKind kind);
+
 /// How many there are of this kind.
 std::size_t count_of(const std::vector<ModelRequirement>& requirements, RequirementKind kind);
 

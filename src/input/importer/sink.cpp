@@ -101,7 +101,8 @@ DocumentSink::DocumentSink(std::function<void(double)> tell)
              &call<&DocumentSink::colour, double, double, double>,
              &call<&DocumentSink::step, double>,
              &call<&DocumentSink::requirement, const epura_requirement*>,
-             &call<&DocumentSink::saved_view, const epura_saved_view*>} {}
+             &call<&DocumentSink::saved_view, const epura_saved_view*>,
+             &call<&DocumentSink::standard, const char*>} {}
 
 template <auto member, class... A>
 int DocumentSink::call(void* host, A... arguments) noexcept {
@@ -272,7 +273,7 @@ int DocumentSink::requirement(const epura_requirement* told) {
   expect_fewer(document_.requirements.size());
   require(told->id != nullptr && *told->id != '\0' && ids_.insert(told->id).second,
           "hands over a requirement whose id is empty or that of another one");
-  require(told->kind <= EPURA_NOTE && told->bounds <= EPURA_LIMITS,
+  require(told->kind <= EPURA_SURFACE_TEXTURE && told->bounds <= EPURA_LIMITS,
           std::string("hands over the requirement ") + told->id + " of unknown kind or with unknown bounds");
   require(-1 <= told->decimals && told->decimals <= max_decimals,
           std::string("hands over the requirement ") + told->id + " with decimals that no number has");
@@ -316,6 +317,11 @@ int DocumentSink::saved_view(const epura_saved_view* told) {
     std::copy_n(told->planes + 6 * i, 6, view.planes.emplace_back().begin());
   require(is_sound_view(view), "hands over the saved view " + name + " with directions or places that are none");
   views.push_back(std::move(view));
+  return 0;
+}
+
+int DocumentSink::standard(const char* name) {
+  document_.standard = text_of(name);
   return 0;
 }
 

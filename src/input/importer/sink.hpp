@@ -44,6 +44,7 @@ class DocumentSink {
   int step(double distance);
   int requirement(const epura_requirement* requirement);
   int saved_view(const epura_saved_view* view);
+  int standard(const char* name);
 
   template <auto member, class... A>
   static int call(void* host, A... arguments) noexcept;

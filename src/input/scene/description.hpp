@@ -180,6 +180,7 @@ using LeaderTarget = std::variant<Anchor, Vec2>;
 /// Lines of text.
 struct NoteText {
   std::vector<std::string> lines;
+  bool has_values = false;  ///< with the signs and numbers of dimensions; not in scene files
 };
 
 /// A target of a datum: the area of a face on which the part rests there. ISO 5459. Not in scene files.

@@ -216,6 +216,7 @@ TEST(Requirements, EdgesThatAreApartStandForTheOnlyFacesAtADistance) {
   EXPECT_EQ(askew.requirements.at(0).missing, "2 items without a face");
 }
 
+// Its form is that of the edge, in two halves.
 TEST(Requirements, ACircleStandsForItsCylinderExceptForItsForm) {
   const Folder folder;
   const ReadModel model = read_by_importer(folder.file(
@@ -229,8 +230,12 @@ TEST(Requirements, ACircleStandsForItsCylinderExceptForItsForm) {
   EXPECT_EQ(model.part->faces.at(static_cast<std::size_t>(face)).surface.kind, surfaces::SurfaceKind::cylinder);
   EXPECT_EQ(named(model, "#1002").missing, "");
   EXPECT_EQ(named(model, "#1008").faces, named(model, "#1002").faces);
-  EXPECT_EQ(named(model, "#1007").faces.size(), 0U);
-  EXPECT_EQ(named(model, "#1007").missing, "1 item without a face");
+  EXPECT_EQ(named(model, "#1007").faces.size(), 2U);
+  EXPECT_EQ(named(model, "#1007").missing, "");
+  const std::vector<std::array<double, 6>> halves{{6, 0, 0, -6, 0, 0}, {-6, 0, 0, 6, 0, 0}};
+  ASSERT_EQ(named(model, "#1007").lines.size(), halves.size());
+  for (std::size_t i = 0; i < halves.size(); ++i)
+    for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(named(model, "#1007").lines[i][k], halves[i][k], 1e-9) << i << k;
 }
 
 // Two areas, one of which is a place beside the part.
