@@ -55,11 +55,12 @@ FaceView::FaceView(std::string name, projection::Projection projection, const wo
       projection_(std::move(projection)),
       world_(world),
       slack_(depth_slack * glm::length(world.box.size())) {
-  tree_ = search::BoundsTree<2>(world_.triangles.size(), [this](std::size_t t) {
+  tree_ = search::BoundsTree<3>(world_.triangles.size(), [this](std::size_t t) {
     const Corners page = corners_of(t);
     const auto [left, right] = std::minmax({page[0].x, page[1].x, page[2].x});
     const auto [low, high] = std::minmax({page[0].y, page[1].y, page[2].y});
-    return search::Bounds<2>{{{left, right}, {low, high}}};
+    const auto [far, near] = std::minmax({page[0].z, page[1].z, page[2].z});
+    return search::Bounds<3>{{{left, right}, {low, high}, {far, near}}};
   });
   for (std::size_t model = 0; model < world_.models.size(); ++model)
     triangles_.push_back(triangles_by_face(world_, model));
@@ -72,22 +73,19 @@ FaceView::Corners FaceView::corners_of(std::size_t triangle) const {
   return page;
 }
 
-// Of the nearest face; nothing where there is none.
-std::optional<double> FaceView::depth_at(const Vec2& place) const {
-  std::optional<double> nearest;
-  tree_.visit({{{place.x, place.x}, {place.y, place.y}}}, [&](std::size_t t) {
+// Whether the line of sight through a place meets a face between two depths: the first one answers, of however many.
+bool FaceView::has_face_between(const Vec2& place, double from, double to) const {
+  bool is_met = false;
+  tree_.visit({{{place.x, place.x}, {place.y, place.y}, {from, to}}}, [&](std::size_t t) {
     const PageTriangle seen(corners_of(t));
     const auto depth = seen.is_edge_on() ? std::nullopt : seen.depth_at(place);
-    if (depth && (!nearest || *depth > *nearest)) nearest = depth;
-    return true;
+    is_met = depth && from < *depth && *depth <= to;
+    return !is_met;
   });
-  return nearest;
+  return is_met;
 }
 
-bool FaceView::is_nearest(const Vec3& page) const {
-  const auto depth = depth_at(Vec2(page));
-  return !depth || *depth <= page.z + slack_;
-}
+bool FaceView::is_nearest(const Vec3& page) const { return !has_face_between(Vec2(page), page.z + slack_, HUGE_VAL); }
 
 // A line is seen if nothing is nearer on either side: where there is nothing at all, it is clear what a mark on it
 // means; less so where something is farther, least where another face begins. 0: it is not seen.
@@ -96,9 +94,10 @@ double FaceView::clarity_of_edge(const Vec3& page, const Vec2& across) const {
   const Vec2 aside = beside_line * glm::length(world_.box.size()) * across;
   double clarity = at_another;
   for (const double side : {1.0, -1.0}) {
-    const auto depth = depth_at(Vec2(page) + side * aside);
-    if (depth && *depth > page.z + slack_) return 0;
-    if (!depth || *depth < page.z - slack_) clarity = std::max(clarity, depth ? before_others : 1.0);
+    const Vec2 place = Vec2(page) + side * aside;
+    if (has_face_between(place, page.z + slack_, HUGE_VAL)) return 0;
+    if (has_face_between(place, page.z - slack_, page.z + slack_)) continue;
+    clarity = std::max(clarity, has_face_between(place, -HUGE_VAL, page.z - slack_) ? before_others : 1.0);
   }
   return clarity;
 }

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -63,7 +62,7 @@ class FaceView {
   using Corners = std::array<Vec3, 3>;
 
   [[nodiscard]] Corners corners_of(std::size_t triangle) const;
-  [[nodiscard]] std::optional<double> depth_at(const Vec2& place) const;
+  [[nodiscard]] bool has_face_between(const Vec2& place, double from, double to) const;
   [[nodiscard]] bool is_nearest(const Vec3& page) const;
   [[nodiscard]] double clarity_of_edge(const Vec3& page, const Vec2& across) const;
   void add_line(std::vector<SeenMark>& marks, const Vec3& from, const Vec3& to) const;
@@ -73,7 +72,7 @@ class FaceView {
   std::string name_;
   projection::Projection projection_;
   const world::World& world_;
-  search::BoundsTree<2> tree_;
+  search::BoundsTree<3> tree_;              ///< of triangles on the page, with their depth
   double slack_;                            ///< by which depths of one place may differ
   std::vector<TrianglesByFace> triangles_;  ///< by model
 };
