@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// STEP files (AP242) of a box or a shaft, written statement by statement, to which tests add what the part is required
-// to be.
+// STEP files (AP242) of a box or round solids, written statement by statement, to which tests add what the part is
+// required to be.
 #pragma once
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdio>
 #include <map>
 #include <string>
 #include <utility>
@@ -15,6 +17,13 @@ namespace epura::test {
 enum BoxFace { left_face = 101, right_face, front_face, back_face, bottom_face, top_face, round_face };
 
 namespace step_box_detail {
+
+// With enough digits for an angle.
+inline std::string exact(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.15f", value);
+  return text.data();
+}
 
 /// Corners are numbered by bits: 1 right, 2 back, 4 top.
 class Writer {
@@ -124,30 +133,53 @@ inline std::string step_box(const std::array<double, 3>& size, const std::string
   return step_solid("#101,#102,#103,#104,#105,#106", step_box_detail::Writer(size).faces(), statements, in_inches);
 }
 
-/// A cylinder from the origin along z.
-inline std::string step_shaft(double radius, double height, const std::string& statements) {
-  const std::string r = std::to_string(radius), h = std::to_string(height);
+/// A cylinder, or a cone that becomes narrower, from the origin along z.
+inline std::string step_frustum(double radius, double top, double height, const std::string& statements) {
+  const std::string r = std::to_string(radius), t = std::to_string(top), h = std::to_string(height);
+  const std::string surface = top == radius ? "CYLINDRICAL_SURFACE('',#220," + r + ")"
+                                            : "CONICAL_SURFACE('',#222," + r + "," +
+                                                  step_box_detail::exact(std::atan((radius - top) / height)) + ")";
   return step_solid(
       "#105,#106,#107",
       "#200=CARTESIAN_POINT('',(0.,0.,0.));\n#201=CARTESIAN_POINT('',(0.,0.," + h + "));\n#202=CARTESIAN_POINT('',(" +
-          r + ",0.,0.));\n#203=CARTESIAN_POINT('',(" + r + ",0.," + h +
+          r + ",0.,0.));\n#203=CARTESIAN_POINT('',(" + t + ",0.," + h +
           "));\n#204=DIRECTION('',(0.,0.,1.));\n#205=DIRECTION('',(1.,0.,0.));\n#206=DIRECTION('',(0.,0.,-1.));\n"
           "#210=VERTEX_POINT('',#202);\n#211=VERTEX_POINT('',#203);\n"
           "#220=AXIS2_PLACEMENT_3D('',#200,#204,#205);\n#221=AXIS2_PLACEMENT_3D('',#201,#204,#205);\n"
           "#222=AXIS2_PLACEMENT_3D('',#200,#206,#205);\n#230=CIRCLE('',#220," +
-          r + ");\n#231=CIRCLE('',#221," + r +
-          ");\n#232=VECTOR('',#204,1.);\n#233=LINE('',#202,#232);\n#240=EDGE_CURVE('',#210,#210,#230,.T.);\n"
+          r + ");\n#231=CIRCLE('',#221," + t + ");\n#207=DIRECTION('',(" + std::to_string(top - radius) + ",0.," + h +
+          "));\n#232=VECTOR('',#207,1.);\n#233=LINE('',#202,#232);\n#240=EDGE_CURVE('',#210,#210,#230,.T.);\n"
           "#241=EDGE_CURVE('',#211,#211,#231,.T.);\n#242=EDGE_CURVE('',#210,#211,#233,.T.);\n"
           "#250=ORIENTED_EDGE('',*,*,#240,.T.);\n#251=ORIENTED_EDGE('',*,*,#242,.T.);\n"
           "#252=ORIENTED_EDGE('',*,*,#241,.F.);\n#253=ORIENTED_EDGE('',*,*,#242,.F.);\n"
           "#254=ORIENTED_EDGE('',*,*,#240,.F.);\n#255=ORIENTED_EDGE('',*,*,#241,.T.);\n"
           "#260=EDGE_LOOP('',(#250,#251,#252,#253));\n#261=EDGE_LOOP('',(#254));\n#262=EDGE_LOOP('',(#255));\n"
           "#270=FACE_OUTER_BOUND('',#260,.T.);\n#271=FACE_OUTER_BOUND('',#261,.T.);\n"
-          "#272=FACE_OUTER_BOUND('',#262,.T.);\n#280=CYLINDRICAL_SURFACE('',#220," +
-          r +
-          ");\n#281=PLANE('',#222);\n#282=PLANE('',#221);\n#107=ADVANCED_FACE('',(#270),#280,.T.);\n"
+          "#272=FACE_OUTER_BOUND('',#262,.T.);\n#280=" +
+          surface +
+          ";\n#281=PLANE('',#222);\n#282=PLANE('',#221);\n#107=ADVANCED_FACE('',(#270),#280,.T.);\n"
           "#105=ADVANCED_FACE('',(#271),#281,.T.);\n#106=ADVANCED_FACE('',(#272),#282,.T.);\n",
       statements, false);
+}
+
+inline std::string step_shaft(double radius, double height, const std::string& statements) {
+  return step_frustum(radius, radius, height, statements);
+}
+
+/// A ball about the origin, or a ring about z, of one face.
+inline std::string step_ball(double radius, const std::string& statements, double ring = 0) {
+  const std::string r = std::to_string(radius), wide = std::to_string(ring + radius);
+  return step_solid("#107",
+                    "#200=CARTESIAN_POINT('',(0.,0.,0.));\n#204=DIRECTION('',(0.,0.,1.));\n"
+                    "#205=DIRECTION('',(1.,0.,0.));\n#220=AXIS2_PLACEMENT_3D('',#200,#204,#205);\n"
+                    "#202=CARTESIAN_POINT('',(" +
+                        wide +
+                        ",0.,0.));\n#210=VERTEX_POINT('',#202);\n#260=VERTEX_LOOP('',#210);\n"
+                        "#270=FACE_OUTER_BOUND('',#260,.T.);\n#280=" +
+                        (ring > 0 ? "TOROIDAL_SURFACE('',#220," + std::to_string(ring) + "," + r + ")"
+                                  : "SPHERICAL_SURFACE('',#220," + r + ")") +
+                        ";\n#107=ADVANCED_FACE('',(#270),#280,.T.);\n",
+                    statements, false);
 }
 
 /// A shape aspect with this number that is a face of the box; takes the next number, too.

@@ -128,6 +128,7 @@ struct ModelInfo {
   std::vector<importer::TreePart> tree;
   std::vector<importer::ModelRequirement> requirements;
   std::vector<importer::SavedView> saved_views;
+  std::string standard;                         ///< of dimensions and tolerances, named by the file
   std::vector<world::Solid> solids;             ///< in millimetres if the unit is known, or else in that of the file
   std::optional<world::MassProperties> mass{};  ///< of all bodies, if they are closed
   std::vector<int> face_numbers{};              ///< of the faces of the part
@@ -168,8 +169,8 @@ ModelInfo info_of(const std::string& path, const InfoOptions& options) {
   const importer::ReadModel read =
       importer::read_model(request.path, request.parameters, {.plugin_path = options.plugin_path});
   const mesh::Mesh& mesh = read.mesh;
-  ModelInfo info{mesh.report,       features::box_of(mesh), read.unit, std::nullopt, {}, 0, false, {}, read.tree,
-                 read.requirements, read.saved_views,       {}};
+  ModelInfo info{mesh.report, features::box_of(mesh), read.unit,        std::nullopt,  {}, 0, false, {},
+                 read.tree,   read.requirements,      read.saved_views, read.standard, {}};
   info.part = read.part != nullptr ? *read.part : surfaces::recognise_faces(mesh);
   info.shared_borders = count_shared(mesh, info.part);
   info.is_declared = read.part != nullptr;
@@ -425,6 +426,7 @@ std::string text_of(const ModelInfo& info) {
     text += holes_text(info.holes, rounded);
   }
   for (const auto& [kind, line] : pipeline::requirement_lines(info.requirements)) text += line_of(kind, line);
+  if (!info.standard.empty()) text += line_of("standard", info.standard);
   if (!info.saved_views.empty()) text += line_of("saved", saved_views_text(info.saved_views));
   std::vector<std::string> repairs = repairs_of(report);
   for (const world::Solid& solid : info.solids)
@@ -509,12 +511,11 @@ std::string json_of(const ModelInfo& info) {
   text += ",\n   \"holes\": " + json_list(holes, as_it_is, ",\n    ");
   if (!info.requirements.empty()) {
     text += ",\n   \"requirements\": {";
-    for (const auto kind : {importer::RequirementKind::dimension, importer::RequirementKind::tolerance,
-                            importer::RequirementKind::datum, importer::RequirementKind::note})
-      text += (kind == importer::RequirementKind::dimension ? "" : ", ") +
-              json_string(importer::requirement_kind_names[static_cast<std::size_t>(kind)]) + ": " +
-              std::to_string(count_of(info.requirements, kind));
+    for (std::size_t kind = 0; kind < importer::requirement_kind_names.size(); ++kind)
+      text += (kind == 0 ? "" : ", ") + json_string(importer::requirement_kind_names[kind]) + ": " +
+              std::to_string(count_of(info.requirements, static_cast<importer::RequirementKind>(kind)));
     text += "}";
+    if (!info.standard.empty()) text += ", \"standard\": " + json_string(info.standard);
   }
   if (!info.saved_views.empty())
     text += ",\n   \"saved_views\": " +

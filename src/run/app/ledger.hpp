@@ -24,6 +24,7 @@ struct Ledger {
   std::vector<LedgerRow> requirements;
   std::shared_ptr<const surfaces::PartFaces> part{};  ///< whose faces they name; null if the file has none
   double unit = 1;                                    ///< of the part, mm
+  std::string standard{};                             ///< that the file names; empty: none
 };
 
 /// "sheet 1, zone B4, view front" where a drawing shows it, otherwise "plate.step #120".

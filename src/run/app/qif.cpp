@@ -199,6 +199,15 @@ class QifDocument {
     return out.str();
   }
 
+  // Organization and designator of the first one that a file names; otherwise that of signs in its unit.
+  [[nodiscard]] std::pair<std::string, std::string> standard_of(bool is_inch) const {
+    for (const Ledger& ledger : ledgers_)
+      for (const char* organization : {"ASME", "ISO"})
+        if (const std::string before = std::string(organization) + " "; ledger.standard.starts_with(before))
+          return {organization, ledger.standard.substr(before.size(), ledger.standard.find(", ") - before.size())};
+    return is_inch ? std::pair("ASME", "Y14.5") : std::pair("ISO", "1101");
+  }
+
   // Returns the id of the standard.
   int begin() {
     const std::string space = "http://qifstandards.org/xsd/qif3";
@@ -217,8 +226,9 @@ class QifDocument {
     pugi::xml_node standard = standards.append_child("Standard");
     standard.append_attribute("id") = id;
     const bool is_inch = units_.length != 1;
-    qif::add_text(standard.append_child("Organization"), "StandardsOrganizationEnum", is_inch ? "ASME" : "ISO");
-    qif::add_text(standard, "Designator", is_inch ? "Y14.5" : "1101");
+    const auto [organization, designator] = standard_of(is_inch);
+    qif::add_text(standard.append_child("Organization"), "StandardsOrganizationEnum", organization);
+    qif::add_text(standard, "Designator", designator);
     pugi::xml_node primary = root_.append_child("FileUnits").append_child("PrimaryUnits");
     add_unit(primary.append_child("AngularUnit"), "radian", "degree", std::numbers::pi / 180);
     add_unit(primary.append_child("LinearUnit"), "meter", is_inch ? "inch" : "mm", units_.length / 1000);
@@ -356,7 +366,7 @@ class QifDocument {
   void for_each_characteristic(const Visit& visit) const {
     std::size_t at = 0;
     for_each_row([&](std::size_t m, const LedgerRow& row) {
-      if (row.kind <= RequirementKind::tolerance) visit(m, row, at++);
+      if (importer::is_measured(row.kind)) visit(m, row, at++);
     });
   }
 

@@ -63,7 +63,7 @@ Ledger ledger_of(const std::string& model, const RequirementsOptions& options) {
       importer::read_model(request.path, request.parameters, {.plugin_path = options.plugin_path});
   std::vector<ModelRequirement>& all = read.requirements;
   const std::vector<int> characteristics = pipeline::characteristic_numbers(all);
-  Ledger ledger{request.path, importer::counted_requirements(all), {}, read.part, read.unit.value_or(1)};
+  Ledger ledger{request.path, importer::counted_requirements(all), {}, read.part, read.unit.value_or(1), read.standard};
   for (std::size_t i = 0; i < all.size(); ++i) ledger.requirements.push_back({std::move(all[i]), characteristics[i]});
   return ledger;
 }
@@ -153,7 +153,8 @@ std::string json_of(const LedgerRow& one) {
 
 std::string json_of(const std::vector<Ledger>& ledgers) {
   const auto write = [](const Ledger& ledger) {
-    return "{\"name\": " + json_string(ledger.model) + ", \"requirements\": " +
+    return "{\"name\": " + json_string(ledger.model) +
+           (ledger.standard.empty() ? "" : ", \"standard\": " + json_string(ledger.standard)) + ", \"requirements\": " +
            output::json_lines(
                ledger.requirements, [](const LedgerRow& one) { return json_of(one); }, "\n    ") +
            "}";
@@ -250,6 +251,7 @@ std::string text_of(const Ledger& ledger) {
     if (const std::string more = comments_on(one); !more.empty()) text += "; " + one_line(more);
     text += "\n";
   }
+  if (!ledger.standard.empty()) text += "  by " + one_line(ledger.standard) + "\n";
   return text + "  " + ledger.counts + "\n";
 }
 

@@ -366,7 +366,9 @@ std::vector<Annotations> annotate(const world::World& world, const scene::SceneD
   return annotations;
 }
 
-bool follows_asme(const scene::SheetDescription& sheet) { return sheet.field("standard").starts_with("ASME"); }
+bool follows_asme(const scene::SheetDescription& sheet) {
+  return sheet.field("standard").find("ASME") != std::string::npos;
+}
 
 sheet::Notation notation_of(const world::World& world, const scene::SheetDescription& sheet) {
   const Vec3 size = world.box.max - world.box.min;

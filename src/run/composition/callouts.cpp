@@ -211,7 +211,10 @@ sheet::Callout drawn(const scene::CalloutDescription& callout, const sheet::Dime
     bool has_leader;
 
     sheet::Callout operator()(const scene::NoteText& note) const {
-      return sheet::note_callout(note.lines, has_leader, style);
+      std::vector<std::string> lines = note.lines;
+      if (note.has_values)
+        for (std::string& line : lines) line = sheet::with_own_signs(std::move(line), style);
+      return sheet::note_callout(lines, has_leader, style);
     }
     sheet::Callout operator()(const scene::ToleranceFrame& frame) const { return sheet::tolerance_frame(frame, style); }
     sheet::Callout operator()(const scene::DatumFeature& datum) const { return sheet::datum_frame(datum, style); }

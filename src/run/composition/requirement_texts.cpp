@@ -59,7 +59,7 @@ constexpr std::array size_signs{Sign{"envelope requirement", "(E)", implied},
                                 Sign{"minimum", "min.", "MIN"},
                                 Sign{"maximum", "max.", "MAX"}};
 
-// In a circle behind a tolerance or a datum. ISO 1101, ISO 2692, ISO 10579.
+// In a circle behind a tolerance or a datum. ISO 1101, ISO 2692, ISO 10579. A projected zone (ISO 10578) has a length.
 constexpr std::array circled_signs{Sign{"maximum material requirement", "M"},
                                    Sign{"least material requirement", "L"},
                                    Sign{"maximum material condition", "M"},
@@ -74,12 +74,11 @@ constexpr std::array circled_signs{Sign{"maximum material requirement", "M"},
 constexpr std::array plain_signs{Sign{"common zone", "CZ"}, Sign{"separate requirement", "SZ"},
                                  Sign{"not convex", "NC"}, Sign{"statistical tolerance", "<ST>"}};
 
-constexpr std::array signs_above{Sign{"any cross section", "ACS"},
-                                 Sign{"line element", "LE", "EACH ELEMENT"},
-                                 Sign{"each radial element", "LE", "EACH RADIAL ELEMENT"},
-                                 Sign{"major diameter", "MD", "MAJOR DIA"},
-                                 Sign{"minor diameter", "LD", "MINOR DIA"},
-                                 Sign{"pitch diameter", "PD", "PITCH DIA"}};
+constexpr std::array signs_above{
+    Sign{"any cross section", "ACS"},           Sign{"all over", "all over", "ALL OVER"},
+    Sign{"line element", "LE", "EACH ELEMENT"}, Sign{"each radial element", "LE", "EACH RADIAL ELEMENT"},
+    Sign{"major diameter", "MD", "MAJOR DIA"},  Sign{"minor diameter", "LD", "MINOR DIA"},
+    Sign{"pitch diameter", "PD", "PITCH DIA"}};
 
 // Empty if there is none.
 template <std::size_t count>
@@ -178,6 +177,8 @@ scene::FrameCell zone_cell(const ModelRequirement& one, const Manner& manner, st
       width += "/" + number(*unit_length / by, 0);
     else if (const auto outside = length_in(word, "unequally disposed "))
       add_uneven(cell, *outside, one, manner);
+    else if (const auto projected = length_in(word, "projected "))
+      cell.insert(cell.end(), {{"P", true}, {number(*projected / by, 0)}});
     else if (const auto most = length_in(word, "maximum "))
       cell.push_back({number(*most / by, 0) + (manner.is_asme ? " MAX" : " max.")});
     else
@@ -320,6 +321,30 @@ std::string write_value(scene::DimensionDescription& dimension, const ModelRequi
   return "";
 }
 
+scene::NoteText value_note(const scene::DimensionDescription& dimension, const std::string& sign,
+                           const ModelRequirement& one, const Manner& manner, double measured) {
+  constexpr int digits = 6;
+  const double unit = written_unit(one);
+  const std::string degrees = one.is_angle != 0 ? "°" : "";
+  const std::string whole = dimension.text.value_or("<>");
+  const auto with = [&](double value, int decimals, const std::string& tolerance) {
+    std::string text = whole;
+    text.replace(text.find("<>"), 2, sign + number_text(value, decimals, manner.unit) + degrees + tolerance);
+    return text + (dimension.is_exact ? manner.is_asme ? " BASIC" : " TED" : "");
+  };
+  scene::NoteText note;
+  note.has_values = true;
+  const int decimals = dimension.stated ? dimension.stated->decimals : 0;
+  if (dimension.limits.value_or(false)) {
+    note.lines = {with(one.upper / unit, decimals, ""), with(one.lower / unit, decimals, "")};
+    return note;
+  }
+  const std::string tolerance = dimension.tolerance.given() ? " " + *dimension.tolerance + degrees : std::string();
+  const auto rounded = parse_number(format_rounded(measured / unit, digits));
+  note.lines = {with(dimension.stated ? dimension.stated->value : rounded.value_or(0), decimals, tolerance)};
+  return note;
+}
+
 std::string write_frame(scene::ToleranceFrame& frame, const ModelRequirement& one, const Manner& manner) {
   std::string name = one.type == "coaxiality"        ? "concentricity"
                      : one.type == "circular runout" ? "circular-run-out"
@@ -360,6 +385,18 @@ scene::DatumTarget target_of(const ModelRequirement& one, bool with_size, const 
   target.size = target.is_round ? "⌀" + length : width.empty() ? length : length + "×" + width;
   if (length.empty()) target.size.clear();
   return target;
+}
+
+scene::SurfaceTexture texture_of(const ModelRequirement& one) {
+  constexpr std::string_view made_by = "made by ";
+  scene::SurfaceTexture texture;
+  texture.lines = items_of(one.text, "; ");
+  for (const std::string& word : items_of(one.modifiers, ", ")) {
+    if (word == "material removal required") texture.removal = MaterialRemoval::required;
+    if (word == "material removal prohibited") texture.removal = MaterialRemoval::prohibited;
+    if (word.starts_with(made_by)) append_to_list(texture.process, word.substr(made_by.size()));
+  }
+  return texture;
 }
 
 scene::NoteText note_of(const ModelRequirement& one) {

@@ -21,12 +21,19 @@ struct Manner {
 std::string write_value(scene::DimensionDescription& dimension, const importer::ModelRequirement& requirement,
                         const Manner& manner);
 
+/// A dimension that `write_value` has written, as a note: "R5 ±0.1". Limits have a line each. `measured`, mm or
+/// degrees, stands where the file gives no value.
+scene::NoteText value_note(const scene::DimensionDescription& dimension, const std::string& sign,
+                           const importer::ModelRequirement& requirement, const Manner& manner, double measured);
+
 /// Writes a geometric tolerance into a frame. Returns the same.
 std::string write_frame(scene::ToleranceFrame& frame, const importer::ModelRequirement& requirement,
                         const Manner& manner);
 
 /// A datum target without its place; `with_size`: its size is in the symbol.
 scene::DatumTarget target_of(const importer::ModelRequirement& requirement, bool with_size, const Manner& manner);
+
+scene::SurfaceTexture texture_of(const importer::ModelRequirement& requirement);
 
 /// A note that stands at the end of a leader, in lines of some words.
 scene::NoteText note_of(const importer::ModelRequirement& requirement);

@@ -95,6 +95,8 @@ std::vector<std::string> items_of(std::string_view text, std::string_view separa
 std::string requirement_sentence(const ModelRequirement& one) {
   std::string text(one.type.empty() ? importer::requirement_kind_names[static_cast<std::size_t>(one.kind)] : one.type);
   if (one.kind == RequirementKind::note) return text + " '" + one.text + "'";
+  if (one.kind == RequirementKind::surface_texture)
+    return text + (one.text.empty() ? "" : " " + one.text) + (one.modifiers.empty() ? "" : ", " + one.modifiers);
   if (one.kind == RequirementKind::datum) text += " " + one.datums;
   if (std::isfinite(one.value)) text += " " + value_of(one);
   text += one.fit.empty() ? "" : " " + one.fit;
@@ -113,17 +115,18 @@ std::vector<int> characteristic_numbers(const std::vector<ModelRequirement>& req
   for (const ModelRequirement& one : requirements) {
     const std::vector<std::string> modifiers = items_of(one.modifiers, ", ");
     const bool is_auxiliary = std::find(modifiers.begin(), modifiers.end(), "auxiliary") != modifiers.end();
-    const bool is_measured = one.kind == RequirementKind::dimension || one.kind == RequirementKind::tolerance;
-    numbers.push_back(is_measured && !is_auxiliary ? ++last : 0);
+    numbers.push_back(is_measured(one.kind) && !is_auxiliary ? ++last : 0);
   }
   return numbers;
 }
 
 std::vector<std::pair<std::string, std::string>> requirement_lines(const std::vector<ModelRequirement>& requirements) {
-  constexpr std::array<std::pair<RequirementKind, const char*>, 4> kinds{{{RequirementKind::dimension, "dimensions"},
-                                                                          {RequirementKind::tolerance, "tolerances"},
-                                                                          {RequirementKind::datum, "datums"},
-                                                                          {RequirementKind::note, "notes"}}};
+  constexpr std::array<std::pair<RequirementKind, const char*>, 5> kinds{
+      {{RequirementKind::dimension, "dimensions"},
+       {RequirementKind::tolerance, "tolerances"},
+       {RequirementKind::datum, "datums"},
+       {RequirementKind::surface_texture, "textures"},
+       {RequirementKind::note, "notes"}}};
   std::vector<std::pair<std::string, std::string>> lines;
   for (const auto& [kind, word] : kinds) {
     std::map<std::string, std::size_t> types;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <iterator>
 #include <set>
 #include <string_view>
@@ -17,9 +16,7 @@
 #include "composition/requirement_texts.hpp"
 #include "composition/requirement_words.hpp"
 #include "composition/stated_symbols.hpp"
-#include "composition/tell.hpp"
 #include "features/tolerances.hpp"
-#include "scene/body_styles.hpp"
 #include "scene/choices.hpp"
 #include "sizes/coordinates.hpp"
 #include "sizes/equal_features.hpp"
@@ -31,7 +28,6 @@ namespace {
 using importer::ModelRequirement;
 using importer::RequirementKind;
 
-constexpr const char* no_value = "a value";  // ModelRequirement::missing of dimensions without one
 constexpr const char* of_size = "it means the middle of its faces, whose dimension is not drawn";
 
 bool shows_an_axis(const projection::Projection& seen) {
@@ -55,31 +51,13 @@ std::vector<FaceView> views_for_requirements(const SheetToState& sheet) {
   return views;
 }
 
-// By which dimensions and callouts know what they draw.
-std::string key_of(const FileRequirements& file, std::size_t i) {
-  return std::to_string(file.model) + ":" + std::to_string(i);
-}
-
 bool gives_value(const ModelRequirement& one) {
   return std::isfinite(one.value) || one.bounds == importer::RequirementBounds::limits;
-}
-
-// Why it cannot be drawn wherever it stands. A value that the file lacks is that of the model.
-std::optional<std::string> why_unknown(const ModelRequirement& one) {
-  if (!one.missing.empty() && (one.missing != no_value || one.faces.empty())) return "not read: " + one.missing;
-  if (one.faces.empty() && one.kind != RequirementKind::note) return "it belongs to no face of the model";
-  return std::nullopt;
 }
 
 Vec3 vector_of(const std::array<double, 3>& v) { return {v[0], v[1], v[2]}; }
 
 bool is_target(const ModelRequirement& one) { return one.type == "datum target"; }
-
-bool is_wanted(RequirementKind kind, Pmi wanted) {
-  if (wanted == Pmi::dimensions) return kind == RequirementKind::dimension;
-  if (wanted == Pmi::tolerances) return kind != RequirementKind::dimension;
-  return wanted == Pmi::all;
-}
 
 /// States the requirements of one file on a sheet.
 class Statement {
@@ -110,7 +88,7 @@ class Statement {
       if (!stack.empty()) add_frame(stack);
     }
     for (std::size_t i = 0; i < file_.all.size(); ++i)
-      if (file_.all[i].kind == RequirementKind::note && is_open(i)) add_note(i);
+      if (file_.all[i].kind >= RequirementKind::note && is_open(i)) add_words(i);
   }
 
  private:
@@ -125,6 +103,15 @@ class Statement {
     file_.rows[i].why.clear();
   }
 
+  // By what draws another one.
+  void draw_with(std::size_t other, std::size_t i) {
+    set_drawn(i, file_.rows[other].view);
+    if (const auto drawn = drawn_by_.find(other); drawn != drawn_by_.end())
+      dimensions_[drawn->second].requirement += " " + key_of(file_, i);
+    if (const auto noted = noted_by_.find(other); noted != noted_by_.end())
+      scene_.callouts[noted->second].requirement += " " + key_of(file_, i);
+  }
+
   // A dimension without a value says nothing more than another of the same faces.
   [[nodiscard]] bool is_said(std::size_t i) {
     const ModelRequirement& one = file_.all[i];
@@ -133,9 +120,7 @@ class Statement {
     const auto other =
         std::find_if(others.begin(), others.end(), [this](std::size_t k) { return file_.rows[k].is_drawn(); });
     if (other == others.end()) return false;
-    set_drawn(i, file_.rows[*other].view);
-    if (const auto drawn = drawn_by_.find(*other); drawn != drawn_by_.end())
-      dimensions_[drawn->second].requirement += " " + key_of(file_, i);
+    draw_with(*other, i);
     file_.rows[i].why = "no value is given: it is that of " + file_.all[*other].id;
     return true;
   }
@@ -145,12 +130,8 @@ class Statement {
     const ModelRequirement& one = file_.all[i];
     const auto [first, is_new] = stated_.try_emplace({requirement_sentence(one), one.faces, one.lines}, i);
     if (is_new) return false;
-    const report::RequirementRow& other = file_.rows[first->second];
-    if (const auto drawn = drawn_by_.find(first->second); drawn != drawn_by_.end()) {
-      set_drawn(i, other.view);
-      dimensions_[drawn->second].requirement += " " + key_of(file_, i);
-    }
-    file_.rows[i].why = other.why;
+    if (file_.rows[first->second].is_drawn()) draw_with(first->second, i);
+    file_.rows[i].why = file_.rows[first->second].why;
     return true;
   }
 
@@ -159,13 +140,18 @@ class Statement {
     StatedDimension stated = state_dimension(file_.all[i], subject_, where(i));
     file_.rows[i].why = stated.why;
     if (!stated.why.empty()) return;
-    set_drawn(i, *stated.dimension.view);
-    stated.dimension.requirement = key_of(file_, i);
-    const ModelRequirement& one = file_.all[i];
-    if (!gives_value(one)) file_.rows[i].why = "no value is given: it has that of the model";
-    if (stated.is_straight) places_.add_dimension(one.faces, stated.dimension);
-    drawn_by_[i] = dimensions_.size();
-    dimensions_.push_back(std::move(stated.dimension));
+    if (!stated.beside.lines.empty()) {
+      noted_by_[i] = scene_.callouts.size();
+      add_callout(i, std::move(stated.beside));
+    } else {
+      set_drawn(i, *stated.dimension.view);
+      stated.dimension.requirement = key_of(file_, i);
+      if (stated.is_straight) places_.add_dimension(file_.all[i].faces, stated.dimension);
+      drawn_by_[i] = dimensions_.size();
+      dimensions_.push_back(std::move(stated.dimension));
+    }
+    if (file_.rows[i].is_drawn() && !gives_value(file_.all[i]))
+      file_.rows[i].why = "no value is given: it has that of the model";
   }
 
   // Those of equal circles in one view become one, "2× ⌀8"; ids of all are those of the first.
@@ -304,31 +290,45 @@ class Statement {
     return true;
   }
 
-  bool place_note(scene::CalloutDescription& callout, const ModelRequirement& one) {
-    if (one.lines.empty()) return places_.place(callout, one.faces, SymbolPlaces::Ends::anything);
-    const std::array<double, 6>& edge = one.lines.front();
-    return places_.place_at_edge(
-        callout, {subject_.placed({edge[0], edge[1], edge[2]}), subject_.placed({edge[3], edge[4], edge[5]})});
+  bool place_words(scene::CalloutDescription& callout, const ModelRequirement& one, const std::vector<int>& faces) {
+    return one.lines.empty() ? places_.place(callout, faces, SymbolPlaces::Ends::anything)
+                             : places_.place_at_edge(callout, one.lines, SymbolPlaces::Ends::anything);
   }
 
-  // One of the whole part stands among the notes of the sheet.
-  void add_note(std::size_t i) {
+  // Notes and surface textures.
+  void add_words(std::size_t i) {
+    const ModelRequirement& one = file_.all[i];
+    if (one.kind == RequirementKind::surface_texture)
+      add_callout(i, texture_of(one));
+    else
+      add_callout(i, one.faces.empty() ? scene::NoteText{{one.text}} : note_of(one));
+  }
+
+  // Of the whole part beside the title block, otherwise at a leader to its edge or faces. The symbol of a surface
+  // stands at each of its places.
+  template <class Content>
+  void add_callout(std::size_t i, Content content) {
     const ModelRequirement& one = file_.all[i];
     scene::CalloutDescription callout;
     callout.where = where(i);
     callout.requirement = key_of(file_, i);
-    if (one.faces.empty()) {
-      callout.content = scene::NoteText{{one.text}};
-      callout.sheet = {sheet_, callout.where};
-    } else {
-      callout.content = note_of(one);
-      if (!place_note(callout, one)) {
-        file_.rows[i].why = not_seen;
-        return;
-      }
+    callout.content = std::move(content);
+    const bool is_each = one.kind == RequirementKind::surface_texture && one.lines.empty();
+    std::vector<std::vector<int>> places;
+    if (is_each)
+      places = face_places(one.faces, subject_.part);
+    else if (!one.faces.empty())
+      places.push_back(one.faces);
+    std::vector<scene::CalloutDescription> placed;
+    for (const std::vector<int>& faces : places) {
+      placed.push_back(callout);
+      if (place_words(placed.back(), one, faces)) continue;
+      file_.rows[i].why = not_seen;
+      return;
     }
-    set_drawn(i, callout.view.value_or(""));
-    scene_.callouts.push_back(std::move(callout));
+    if (placed.empty()) placed.push_back(callout), placed.front().sheet = {sheet_, callout.where};
+    set_drawn(i, placed.front().view.value_or(""));
+    std::ranges::move(placed, std::back_inserter(scene_.callouts));
   }
 
   // Whether tolerances of two planes mean the plane in the middle.
@@ -342,12 +342,13 @@ class Statement {
 
   // Returns why it has no place.
   std::string place_frame(scene::CalloutDescription& callout, const std::vector<std::size_t>& stack) {
-    const std::vector<int>& faces = file_.all[stack.front()].faces;
+    const auto& [faces, lines] = std::tie(file_.all[stack.front()].faces, file_.all[stack.front()].lines);
     auto& frame = std::get<scene::ToleranceFrame>(callout.content);
     using Ends = SymbolPlaces::Ends;
     const bool is_straightness =
         std::any_of(stack.begin(), stack.end(), [this](std::size_t i) { return file_.all[i].type == "straightness"; });
     const Ends ends = frame.all_around ? Ends::lines_of_all : is_straightness ? Ends::element : Ends::anything;
+    if (!lines.empty()) return places_.place_at_edge(callout, lines, ends) ? "" : not_seen;
     if (!places_.place(callout, faces, ends)) return not_seen;
     const std::size_t count = face_places(faces, subject_.part).size();
     if (callout.dimension.given() || count == 1) return "";
@@ -363,12 +364,15 @@ class Statement {
     callout.where = where(stack.front());
     callout.content = frame_of(file_.all, stack, subject_, refused);
     for (auto& [number, why] : refused) file_.rows[number].why = std::move(why);
-    if (stack.empty() || file_.all[stack.front()].faces.empty()) return;
-    const std::string why = place_frame(callout, stack);
+    if (stack.empty()) return;
+    const ModelRequirement& first = file_.all[stack.front()];
+    if (first.faces.empty() && !is_of_all(first)) return;
+    if (first.faces.empty()) callout.sheet = {sheet_, callout.where};
+    const std::string why = first.faces.empty() ? "" : place_frame(callout, stack);
     for (const std::size_t i : stack) {
       callout.requirement += (callout.requirement.empty() ? "" : " ") + key_of(file_, i);
       if (why.empty())
-        set_drawn(i, *callout.view);
+        set_drawn(i, callout.view.value_or(""));
       else
         file_.rows[i].why = why;
     }
@@ -382,6 +386,7 @@ class Statement {
   SymbolPlaces places_;
   std::vector<scene::DimensionDescription> dimensions_{};
   std::map<std::size_t, std::size_t> drawn_by_{};  ///< number of the dimension, before equal ones are one
+  std::map<std::size_t, std::size_t> noted_by_{};  ///< of dimensions that are notes, number of the callout
   /// Number of the first dimension of these words, faces and lines.
   std::map<std::tuple<std::string, std::vector<int>, std::vector<std::array<double, 6>>>, std::size_t> stated_{};
   /// Numbers of dimensions that have a value, by type and faces; of those between lines, by faces; and of targets, by
@@ -444,64 +449,30 @@ void propose_views(const scene::SceneDescription& scene, FileRequirements& file,
   }
 }
 
-using RowsByKey = std::multimap<std::string, report::RequirementRow*, std::less<>>;
-
-RowsByKey drawn_rows(std::vector<FileRequirements>& files) {
-  RowsByKey rows;
-  for (FileRequirements& file : files)
-    for (std::size_t i = 0; i < file.rows.size(); ++i)
-      if (file.rows[i].is_drawn()) rows.emplace(key_of(file, i), &file.rows[i]);
-  return rows;
-}
-
-// The rows that a dimension or callout draws, by its keys.
-template <class Visit>
-void for_each_row(const RowsByKey& rows, const std::string& keys, const Visit& visit) {
-  for (const std::string_view key : split(keys, ' ')) {
-    const auto [first, end] = rows.equal_range(key);
-    std::for_each(first, end, [&visit](const auto& row) { visit(*row.second); });
-  }
-}
-
 }  // namespace
 
-Pmi wanted_requirements(const scene::SceneDescription& scene, const scene::ModelDescription& model) {
-  const bool is_annotated = !scene.dimensions.empty() || !scene.callouts.empty() || !scene.requirements.empty();
-  return model.pmi.value_or(is_annotated ? Pmi::all : Pmi::none);
-}
-
-void begin_ledger(FileRequirements& file, const scene::SceneDescription& scene) {
-  const scene::ModelDescription& model = scene.models[static_cast<std::size_t>(file.model)];
-  const Pmi wanted = wanted_requirements(scene, model);
-  const std::vector<int> characteristics = characteristic_numbers(file.all);
-  for (std::size_t i = file.rows.size(); i < file.all.size(); ++i) {
-    const ModelRequirement& one = file.all[i];
-    report::RequirementRow& row = file.rows.emplace_back();
-    row.characteristic = characteristics[i];
-    row.model = scene::name_of(model);
-    row.id = one.id;
-    row.kind = importer::requirement_kind_names[static_cast<std::size_t>(one.kind)];
-    row.what = requirement_sentence(one);
-    row.wanted = i >= file.by_scene || is_wanted(one.kind, wanted);
-    if (!row.wanted)
-      row.why = model.pmi.given() ? "--pmi " + std::string(scene::word_of(wanted)) + " leaves it out"
-                                  : "the sheets have no dimensions and symbols";
-    else
-      row.why = why_unknown(one).value_or(not_seen);
-  }
-}
-
-void choose_unit(scene::SceneDescription& scene, const std::vector<FileRequirements>& files) {
+void choose_notation(scene::SceneDescription& scene, const std::vector<FileRequirements>& files) {
   bool any = false, all = true;
-  for (const FileRequirements& file : files)
+  std::vector<std::string> standards;
+  for (const FileRequirements& file : files) {
+    const bool is_wanted = std::ranges::any_of(file.rows, [](const report::RequirementRow& row) { return row.wanted; });
+    if (is_wanted && !file.standard.empty() && std::ranges::find(standards, file.standard) == standards.end())
+      standards.push_back(file.standard);
     for (std::size_t i = 0; i < file.all.size(); ++i) {
-      if (!file.rows[i].wanted || file.all[i].is_angle || !std::isfinite(file.all[i].value)) continue;
+      const ModelRequirement& one = file.all[i];
+      const bool is_texture = one.kind == RequirementKind::surface_texture;
+      if (!file.rows[i].wanted || one.is_angle || is_texture || !std::isfinite(one.value)) continue;
       any = true;
-      all = all && written_unit(file.all[i]) != 1;
+      all = all && written_unit(one) != 1;
     }
-  if (!any || !all) return;
-  for (scene::SheetDescription& sheet : scene.sheets)
-    if (!sheet.dimension_unit.given()) sheet.dimension_unit = {Unit::in, "the unit of requirements"};
+  }
+  std::string standard;
+  for (const std::string& one : standards) append_to_list(standard, one);
+  for (scene::SheetDescription& sheet : scene.sheets) {
+    if (any && all && !sheet.dimension_unit.given()) sheet.dimension_unit = {Unit::in, "the unit of requirements"};
+    if (!standard.empty() && sheet.field("standard").empty())
+      sheet.title_block.emplace_back("standard", scene::LocatedText{standard, "the standard of requirements"});
+  }
 }
 
 void state_requirements(scene::SceneDescription& scene, std::vector<FileRequirements>& files,
@@ -527,40 +498,6 @@ void state_requirements(scene::SceneDescription& scene, std::vector<FileRequirem
     for (report::RequirementRow& row : file.rows)
       if (row.is_missing()) row.why = "the faces of the file are not those that are drawn";
   }
-}
-
-void take_back(std::vector<FileRequirements>& files, const std::vector<std::string>& keys) {
-  const RowsByKey rows = drawn_rows(files);
-  for (const std::string& list : keys)
-    for_each_row(rows, list, [](report::RequirementRow& row) {
-      row.view.clear();
-      row.sheet = 0;
-      row.why = "there is no place for it in the view";
-    });
-}
-
-std::map<std::string, int> numbered_characteristics(const std::vector<FileRequirements>& files) {
-  std::map<std::string, int> numbers;
-  for (const FileRequirements& file : files)
-    for (std::size_t i = 0; i < file.rows.size(); ++i)
-      if (const int number = file.rows[i].characteristic; number > 0) numbers.emplace(key_of(file, i), number);
-  return numbers;
-}
-
-void set_zones(std::vector<FileRequirements>& files, const std::vector<std::pair<std::string, std::string>>& zones) {
-  const RowsByKey rows = drawn_rows(files);
-  for (const auto& [list, zone] : zones)
-    for_each_row(rows, list, [&zone = zone](report::RequirementRow& row) { row.zone = zone; });
-}
-
-std::vector<report::RequirementRow> end_ledger(const std::vector<FileRequirements>& files, const Messages& messages,
-                                               bool allow_missing) {
-  std::vector<report::RequirementRow> rows;
-  for (const FileRequirements& file : files) rows.insert(rows.end(), file.rows.begin(), file.rows.end());
-  tell_of_requirements(messages, rows, allow_missing);
-  if (allow_missing)
-    for (report::RequirementRow& row : rows) row.wanted = false;
-  return rows;
 }
 
 }  // namespace epura::pipeline

@@ -90,7 +90,48 @@ StatedDimension written(scene::DimensionDescription dimension, const ModelRequir
   return {std::move(dimension), "", is_straight};
 }
 
+// What has no dimension line stands at a leader: "R5 ±0.1". `measured` is the value if the file gives none.
+StatedDimension beside(scene::DimensionDescription dimension, const std::string& sign, const ModelRequirement& one,
+                       const RequirementSubject& subject, std::optional<double> measured) {
+  if (const std::string why = write_value(dimension, one, subject.manner); !why.empty()) return refusal(why);
+  if (!dimension.stated && !measured) return refusal("the file gives it no value");
+  StatedDimension stated;
+  stated.beside = value_note(dimension, sign, one, subject.manner, measured.value_or(0));
+  return stated;
+}
+
 // Circles.
+
+/// A circle of a face about its axis, or of a sphere.
+struct FaceCircle {
+  double along, radius;
+};
+
+// Where a face begins and ends; those of tori are the widest and the narrowest.
+std::vector<FaceCircle> circles_of(const PartFace& face) {
+  const surfaces::PartSurface& surface = face.surface;
+  const auto at = [&](double along) { return FaceCircle{along, surface.radius + surface.slope * along}; };
+  if (surface.kind == SurfaceKind::cylinder || surface.kind == SurfaceKind::cone) return {at(face.from), at(face.to)};
+  if (surface.kind == SurfaceKind::sphere) return {{0, surface.radius}};
+  const double slack = surfaces::same_surface * surface.minor;
+  if (surface.kind != SurfaceKind::torus || face.from > slack || face.to < -slack) return {};
+  return {{0, surface.radius + surface.minor}, {0, surface.radius - surface.minor}};
+}
+
+// The circle of the required size that is farthest from the middle of the model.
+std::optional<FaceCircle> required_circle(const PartFace& face, const ModelRequirement& one,
+                                          const RequirementSubject& subject, double radii) {
+  const Vec3 middle = (subject.world.box.min + subject.world.box.max) / 2.0;
+  std::optional<FaceCircle> found;
+  double farthest = -1;
+  for (const FaceCircle& circle : circles_of(face)) {
+    const double off = glm::length(face.surface.origin + circle.along * face.surface.axis - middle);
+    if (!(circle.radius > 0) || !agrees(radii * circle.radius, one) || off <= farthest) continue;
+    farthest = off;
+    found = circle;
+  }
+  return found;
+}
 
 /// A view of a round face, and how it is seen.
 struct CircleView {
@@ -124,14 +165,23 @@ CircleView view_of_circle(const std::vector<std::vector<int>>& places, const Req
 StatedDimension state_circle(scene::DimensionDescription dimension, const ModelRequirement& one,
                              const RequirementSubject& subject) {
   const bool is_radius = has_word(one.type, "radius");
+  const double radii = is_radius ? 1 : 2;
+  const std::string sign = is_radius ? "R" : "⌀";
   const auto places = face_places(one.faces, subject.part);
   for (const int number : one.faces) {
     const PartFace& face = face_of(subject, number);
-    if (face.surface.kind != SurfaceKind::cylinder && face.surface.kind != SurfaceKind::sphere)
-      return refusal("there is no rule for the " + one.type + " of a " +
-                     surfaces::surface_kind_names[static_cast<std::size_t>(face.surface.kind)] + " face");
-    const double measured = (is_radius ? 1 : 2) * face.surface.radius;
-    if (!agrees(measured, one)) return disagreement(measured, one);
+    if (face.surface.kind == SurfaceKind::plane) return refusal("there is no rule for the " + one.type + " of a plane");
+    if (face.surface.kind == SurfaceKind::free_form)
+      return beside(std::move(dimension), sheet::times(places.size()) + sign, one, subject, std::nullopt);
+    if (face.surface.kind == SurfaceKind::torus && agrees(radii * face.surface.minor, one))
+      return beside(std::move(dimension), sheet::times(places.size()) + sign, one, subject, radii * face.surface.minor);
+    if (required_circle(face, one, subject, radii)) continue;
+    std::vector<FaceCircle> circles = circles_of(face);
+    if (circles.empty()) circles.push_back({0, face.surface.minor});
+    const auto off = [&](const FaceCircle& circle) { return std::abs(radii * circle.radius - one.value); };
+    const auto nearest =
+        std::min_element(circles.begin(), circles.end(), [&](const auto& a, const auto& b) { return off(a) < off(b); });
+    return disagreement(radii * nearest->radius, one);
   }
   const CircleView seen = view_of_circle(places, subject, is_radius);
   if (seen.view == nullptr) return refusal(not_seen);
@@ -140,24 +190,23 @@ StatedDimension state_circle(scene::DimensionDescription dimension, const ModelR
   const bool is_ball = face.surface.kind == SurfaceKind::sphere;
   dimension.view = {seen.view->name(), dimension.where};
   dimension.type = {is_radius ? DimensionType::radius : DimensionType::diameter, dimension.where};
-  const Vec3 middle = (subject.world.box.min + subject.world.box.max) / 2.0;
-  const auto end = [&](double along) { return face.surface.origin + along * face.surface.axis; };
-  const double out = glm::length(end(face.to) - middle) > glm::length(end(face.from) - middle) ? face.to : face.from;
+  const FaceCircle circle = *required_circle(face, one, subject, radii);
   if (is_ball)
     dimension.circle = scene::FeatureCircle{face.surface.origin, seen.view->projection().n, face.surface.radius};
   else
-    dimension.circle = scene::FeatureCircle{end(out), face.surface.axis, face.surface.radius,
-                                            arc_of(face, points_of(subject, faces), out)};
+    dimension.circle =
+        scene::FeatureCircle{face.surface.origin + circle.along * face.surface.axis, face.surface.axis, circle.radius,
+                             arc_of(face, points_of(subject, faces), circle.along, circle.radius)};
   dimension.text = {sheet::times(places.size()) + (is_ball ? "S" : ""), dimension.where};
   return written(std::move(dimension), one, subject, seen.across);
 }
 
 // Lengths.
 
-/// What a length may be measured from: a plane, or an axis.
+/// What a length may be measured from: a plane, an axis, or the centre of a sphere.
 struct LengthEnd {
   bool is_plane;
-  Vec3 point, direction;  ///< normal or axis; length 1
+  Vec3 point, direction;  ///< normal or axis; length 1; of a centre zero
   std::vector<Vec3> points;
 };
 
@@ -166,6 +215,7 @@ std::optional<LengthEnd> end_of(const std::vector<int>& faces, const Requirement
   const surfaces::PartSurface& surface = face.surface;
   if (surface.kind == SurfaceKind::plane)
     return LengthEnd{true, surface.origin, surface.axis, points_of(subject, faces)};
+  if (surface.kind == SurfaceKind::sphere) return LengthEnd{false, surface.origin, Vec3(0), {surface.origin}};
   if (!surfaces::has_axis(surface.kind)) return std::nullopt;
   const Vec3 from = surface.origin + face.from * surface.axis, to = surface.origin + face.to * surface.axis;
   return LengthEnd{false, from, surface.axis, {from, to}};
@@ -181,12 +231,13 @@ Vec3 direction_between(const LengthEnd& a, const LengthEnd& b, const ModelRequir
     const bool fits = other.is_plane ? is_parallel(normal, other.direction)
                                      : std::abs(glm::dot(normal, other.direction)) <= features::parallel;
     if (fits) directions.push_back(normal);
-  } else if (is_parallel(a.direction, b.direction)) {
+  } else if (const Vec3& along = a.direction == Vec3(0) ? b.direction : a.direction;
+             along == Vec3(0) || b.direction == Vec3(0) || is_parallel(along, b.direction)) {
     Vec3 off = b.point - a.point;
-    off -= glm::dot(off, a.direction) * a.direction;
+    off -= glm::dot(off, along) * along;
     if (glm::length(off) > 0) directions.push_back(glm::normalize(off));
     for (int axis = 0; axis < 3; ++axis)
-      if (std::abs(glm::dot(Mat3(1)[axis], a.direction)) <= features::parallel) directions.push_back(Mat3(1)[axis]);
+      if (std::abs(glm::dot(Mat3(1)[axis], along)) <= features::parallel) directions.push_back(Mat3(1)[axis]);
   }
   for (const Vec3& direction : directions)
     if (agrees(std::abs(glm::dot(b.point - a.point, direction)), one)) return direction;
@@ -326,19 +377,52 @@ Vec3 leg_of(const std::vector<Vec3>& points, const Vec3& corner, const Vec3& alo
   return farthest;
 }
 
+// Of a cone: between its outlines, or half of it to its axis, in a view across that; otherwise beside it.
+StatedDimension state_cone_angle(scene::DimensionDescription dimension, const ModelRequirement& one,
+                                 const RequirementSubject& subject, std::size_t places) {
+  const PartFace& face = face_of(subject, one.faces.front());
+  const surfaces::PartSurface& surface = face.surface;
+  const double half = portable_atan2(std::abs(surface.slope), 1) * 180 / std::numbers::pi;
+  const bool is_half = !agrees(2 * half, one);
+  if (is_half && !agrees(half, one)) return disagreement(2 * half, one);
+  const Vec3 apex = surface.origin - surface.radius / surface.slope * surface.axis;
+  const double base = circles_of(face)[0].radius > circles_of(face)[1].radius ? face.from : face.to;
+  const Vec3 foot = surface.origin + base * surface.axis;
+  for (const FaceView& view : subject.views) {
+    const Vec3& n = view.projection().n;
+    const bool is_across = std::abs(glm::dot(surface.axis, n)) <= max_tilt && face.sweep >= surfaces::whole_turn;
+    if (!is_across || rank_of(marks_in(view, subject, one.faces)) == 0) continue;
+    const Vec3 out = (surface.radius + surface.slope * base) * glm::normalize(glm::cross(surface.axis, n));
+    dimension.view = {view.name(), dimension.where};
+    dimension.type = {DimensionType::angular, dimension.where};
+    dimension.anchors = {apex, is_half ? foot : foot - out, foot + out};
+    dimension.text = {sheet::times(places), dimension.where};
+    return written(std::move(dimension), one, subject, false);
+  }
+  return beside(std::move(dimension), sheet::times(places), one, subject, is_half ? half : 2 * half);
+}
+
 StatedDimension state_angle(scene::DimensionDescription dimension, const ModelRequirement& one,
                             const RequirementSubject& subject) {
   const auto places = face_places(one.faces, subject.part);
+  const auto is_cone = [&](int face) { return face_of(subject, face).surface.kind == SurfaceKind::cone; };
+  if (places.size() != 2 && std::all_of(one.faces.begin(), one.faces.end(), is_cone))
+    return state_cone_angle(std::move(dimension), one, subject, places.size());
   if (places.size() != 2) return refusal("an angle is between two faces");
   const auto a = end_of(places[0], subject), b = end_of(places[1], subject);
-  if (!a || !b || !a->is_plane || !b->is_plane)
-    return refusal("there is no rule for angles of faces that are not flat");
+  if (!a || !b || a->direction == Vec3(0) || b->direction == Vec3(0))
+    return refusal("there is no rule for angles of faces that are neither flat nor have an axis");
   const Vec3 edge = glm::cross(a->direction, b->direction);
-  if (glm::length(edge) <= features::parallel) return refusal("its faces are parallel");
+  if (glm::length(edge) <= features::parallel) return refusal("its faces are parallel or square in each view");
   const Vec3 axis = glm::normalize(edge);
-  const Vec3 ways[2] = {glm::cross(axis, a->direction), glm::cross(axis, b->direction)};
-  // From the point of the first plane along it to the second one.
-  const double to_corner = glm::dot(b->point - a->point, b->direction) / glm::dot(ways[0], b->direction);
+  // Planes and axes are lines in the view: along them, and the normal of the second one.
+  const auto along = [&axis](const LengthEnd& end) {
+    return end.is_plane ? glm::cross(axis, end.direction) : end.direction;
+  };
+  const Vec3 ways[2] = {along(*a), along(*b)};
+  const Vec3 across = glm::cross(axis, ways[1]);
+  // From the point of the first line along it to the second one.
+  const double to_corner = glm::dot(b->point - a->point, across) / glm::dot(ways[0], across);
   const Vec3 corner = a->point + to_corner * ways[0];
   Vec3 legs[2] = {leg_of(a->points, corner, ways[0]), leg_of(b->points, corner, ways[1])};
   if (legs[0] == Vec3(0) || legs[1] == Vec3(0)) return refusal("its faces are parallel");
@@ -361,7 +445,7 @@ StatedDimension state_angle(scene::DimensionDescription dimension, const ModelRe
 
 }  // namespace
 
-std::vector<Vec3> arc_of(const PartFace& face, const std::vector<Vec3>& points, double along) {
+std::vector<Vec3> arc_of(const PartFace& face, const std::vector<Vec3>& points, double along, double radius) {
   constexpr int steps = 16;
   if (face.sweep >= surfaces::whole_turn || points.empty()) return {};
   const Vec3& axis = face.surface.axis;
@@ -382,7 +466,7 @@ std::vector<Vec3> arc_of(const PartFace& face, const std::vector<Vec3>& points, 
   std::vector<Vec3> arc;
   for (int i = 0; i <= steps; ++i) {
     const double angle = from + sweep * i / steps;
-    arc.push_back(centre + face.surface.radius * (portable_cos(angle) * u + portable_sin(angle) * v));
+    arc.push_back(centre + radius * (portable_cos(angle) * u + portable_sin(angle) * v));
   }
   return arc;
 }
@@ -423,7 +507,7 @@ StatedDimension state_dimension(const ModelRequirement& one, const RequirementSu
   if (one.is_angle || one.type == "angle") return state_angle(std::move(dimension), one, subject);
   if (has_word(one.type, "diameter") || has_word(one.type, "radius"))
     return state_circle(std::move(dimension), one, subject);
-  if (has_word(one.type, "curve")) return refusal("there is no rule for a " + one.type);
+  if (has_word(one.type, "curve")) return beside(std::move(dimension), "⌒", one, subject, std::nullopt);
   return state_length(std::move(dimension), one, subject);
 }
 

@@ -33,6 +33,7 @@ struct StatedDimension {
   scene::DimensionDescription dimension{};
   std::string why{};         ///< there is none; empty if there is
   bool is_straight = false;  ///< datums and frames may stand in line with it
+  scene::NoteText beside{};  ///< instead: what stands at a leader to its faces or its edge
 };
 
 /// Values are those of the file. What the model itself measures must agree with them, or the dimension means something
@@ -43,9 +44,9 @@ StatedDimension state_dimension(const importer::ModelRequirement& requirement, c
 /// Numbers of places at which faces are: those of one plane or of one axis are at one.
 std::vector<std::vector<int>> face_places(const std::vector<int>& faces, const world::PlacedPart& part);
 
-/// Points in order along a face that turns about an axis by less than a full turn, at a place along it; empty for full
-/// turns. `points` are those of the face.
-std::vector<Vec3> arc_of(const surfaces::PartFace& face, const std::vector<Vec3>& points, double along);
+/// Points in order along a face that turns about an axis by less than a full turn, at a place along it with this
+/// radius; empty for full turns. `points` are those of the face.
+std::vector<Vec3> arc_of(const surfaces::PartFace& face, const std::vector<Vec3>& points, double along, double radius);
 
 /// What leaders and dimensions need to be seen.
 inline constexpr const char* not_seen = "no orthographic view of the sheet shows its faces: add a view or a section";

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "composition/requirement_texts.hpp"
@@ -97,18 +98,25 @@ bool SymbolPlaces::place_in_area(scene::CalloutDescription& callout, const std::
   return most > 0;
 }
 
-bool SymbolPlaces::place_at_edge(scene::CalloutDescription& callout, const std::array<Vec3, 2>& ends) const {
-  const std::array<Vec3, 3> points{(ends[0] + ends[1]) / 2.0, ends[0], ends[1]};
-  const double length = glm::length(ends[1] - ends[0]);
-  bool is_point = false;
+bool SymbolPlaces::place_at_edge(scene::CalloutDescription& callout, const std::vector<std::array<double, 6>>& lines,
+                                 Ends ends) const {
+  std::vector<Vec3> points;
+  for (const std::array<double, 6>& line : lines) {
+    const Vec3 from = subject_.placed({line[0], line[1], line[2]}), to = subject_.placed({line[3], line[4], line[5]});
+    if (lines.size() == 1) points.push_back((from + to) / 2.0);
+    points.insert(points.end(), {to, from});
+  }
+  const Vec3 edge = points[1] - points.back();
+  const double length = lines.size() == 1 ? glm::length(edge) : 0;
+  bool is_usual = false;
   for (const FaceView& view : subject_.views) {
-    const double along = length > 0 ? std::abs(glm::dot(ends[1] - ends[0], view.projection().n)) / length : 0;
-    const bool is_point_here = along >= 1 - max_tilt * max_tilt;
-    const bool is_better_view = !callout.view.given() || (!is_point && is_point_here);
+    const double along = length > 0 ? std::abs(glm::dot(edge, view.projection().n)) / length : 0;
+    const bool is_usual_here = (along >= 1 - max_tilt * max_tilt) != (ends == Ends::element);
+    const bool is_better_view = !callout.view.given() || (!is_usual && is_usual_here);
     const auto seen =
         std::find_if(points.begin(), points.end(), [&view](const Vec3& point) { return view.shows(point); });
     if (!is_better_view || seen == points.end()) continue;
-    is_point = is_point_here;
+    is_usual = is_usual_here;
     callout.view = {view.name(), callout.where};
     callout.to = {scene::LeaderTarget(scene::Anchor(*seen)), callout.where};
   }
@@ -117,7 +125,7 @@ bool SymbolPlaces::place_at_edge(scene::CalloutDescription& callout, const std::
 
 std::vector<std::vector<std::size_t>> stacks_of(const std::vector<ModelRequirement>& all) {
   std::vector<std::vector<std::size_t>> stacks;
-  std::map<std::vector<int>, std::size_t> by_faces;
+  std::map<std::tuple<bool, std::vector<int>, std::vector<std::array<double, 6>>>, std::size_t> by_faces;
   std::map<std::string, std::size_t> by_id;
   const auto add = [&](std::size_t i, bool is_composite) {
     const ModelRequirement& one = all[i];
@@ -125,7 +133,7 @@ std::vector<std::vector<std::size_t>> stacks_of(const std::vector<ModelRequireme
     if (is_composite) {
       if (const auto known = by_id.find(one.above); known != by_id.end()) stack = known->second;
     } else if (!one.faces.empty()) {
-      stack = by_faces.emplace(one.faces, stack).first->second;
+      stack = by_faces.emplace(std::tuple(one.type == "straightness", one.faces, one.lines), stack).first->second;
     }
     if (stack == stacks.size()) stacks.emplace_back();
     stacks[stack].push_back(i);

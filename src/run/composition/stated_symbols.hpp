@@ -30,8 +30,10 @@ class SymbolPlaces {
   /// The same at a point of an area on these faces, in a view that shows the area true.
   bool place_in_area(scene::CalloutDescription& callout, const std::vector<int>& faces, const Vec3& point) const;
 
-  /// The same at an edge, if possible in a view that shows it as a point.
-  bool place_at_edge(scene::CalloutDescription& callout, const std::array<Vec3, 2>& ends) const;
+  /// The same at an edge that consists of these lines, if possible in a view that shows a straight one as a point; for
+  /// Ends::element, which needs the line, in another view.
+  bool place_at_edge(scene::CalloutDescription& callout, const std::vector<std::array<double, 6>>& lines,
+                     Ends ends) const;
 
  private:
   struct Attachment {
@@ -44,8 +46,9 @@ class SymbolPlaces {
   std::map<std::string, std::vector<Vec3>> taken_{};  ///< ends of leaders, by view
 };
 
-/// The tolerances of `all` that one frame shows: those of the same faces stand below each other, composite ones below
-/// theirs. Numbers of requirements, in their order.
+/// The tolerances of `all` that one frame shows: those of the same faces or edge stand below each other, composite ones
+/// below theirs; straightness alone, since it needs a view that shows its lines true. Numbers of requirements, in their
+/// order.
 std::vector<std::vector<std::size_t>> stacks_of(const std::vector<importer::ModelRequirement>& all);
 
 /// Writes a stack; the numbers and sentences of those that have no frame are added to `refused`.

@@ -16,6 +16,7 @@
 #include "composition/line_facts.hpp"
 #include "composition/lint.hpp"
 #include "composition/seen_items.hpp"
+#include "composition/state_requirements.hpp"
 #include "composition/summary.hpp"
 #include "composition/tell.hpp"
 #include "drawing/drawing.hpp"
@@ -502,7 +503,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   ReadWorld read = read_models(scene, reading_of(scene, options, facets), gathered.report.meshes, messages, progress);
   parts = std::move(read.parts);
   required = std::move(read.required);
-  choose_unit(scene, required);
+  choose_notation(scene, required);
   scene.explosions = std::move(read.explosions);
   world::World world = std::move(read.world);
   watch.lap("read");

@@ -95,7 +95,8 @@ std::vector<FoundFeature> faces_of(const world::Placed& placed, const surfaces::
       std::vector<Vec3> points;
       for (const auto& corners : facets[i]) points.insert(points.end(), corners.begin(), corners.end());
       const double along = glm::dot(found.centre - surface.origin, surface.axis);
-      found.circle = FeatureCircle{found.centre, surface.axis, surface.radius, arc_of(face, points, along)};
+      found.circle =
+          FeatureCircle{found.centre, surface.axis, surface.radius, arc_of(face, points, along, surface.radius)};
     }
     faces.push_back(std::move(found));
   }

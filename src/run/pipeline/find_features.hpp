@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "composition/lint.hpp"
-#include "composition/state_requirements.hpp"
+#include "composition/requirement_ledger.hpp"
 #include "scene/description.hpp"
 #include "views/view_plan.hpp"
 #include "world/world.hpp"

@@ -201,7 +201,7 @@ void take_requirements(std::vector<FileRequirements>& required, const scene::Sce
   if (wanted_requirements(scene, scene.models[static_cast<std::size_t>(model)]) == Pmi::none)
     report.notes.push_back(importer::counted_requirements(all) + " of the file " + (all.size() == 1 ? "is" : "are") +
                            " not drawn: epura requirements lists what the file requires, --pmi all draws it");
-  required.push_back({model, std::move(all), read.rest.part});
+  required.push_back({model, std::move(all), read.rest.part, read.rest.standard});
   begin_ledger(required.back(), scene);
 }
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/progress.hpp"
-#include "composition/state_requirements.hpp"
+#include "composition/requirement_ledger.hpp"
 #include "importer/read_model.hpp"
 #include "mesh/mesh.hpp"
 #include "scene/description.hpp"

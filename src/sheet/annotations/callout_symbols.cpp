@@ -14,6 +14,14 @@
 
 namespace epura::sheet {
 
+std::string with_own_signs(std::string text, const DimensionStyle& style) {
+  constexpr std::array<std::array<std::string_view, 2>, 2> substitutes{{{"⌀", "Ø"}, {"⌒", "∩"}}};
+  for (const auto& [sign, letter] : substitutes)
+    if (!style.lettering.covers(std::string(sign)))
+      if (const std::size_t at = text.find(sign); at != std::string::npos) text.replace(at, sign.size(), letter);
+  return with_decimal_sign(with_repeats(std::move(text), style.notation), style.notation.sign);
+}
+
 namespace {
 
 // In heights of capitals.
@@ -66,12 +74,6 @@ class SymbolReader {
   Vec2 centre_;
   double unit_;
 };
-
-std::string with_own_signs(std::string text, const DimensionStyle& style) {
-  if (!style.lettering.covers("⌀"))
-    if (const std::size_t at = text.find("⌀"); at != std::string::npos) text.replace(at, std::string("⌀").size(), "Ø");
-  return with_decimal_sign(with_repeats(std::move(text), style.notation), style.notation.sign);
-}
 
 double width_of_symbol(const scene::FramePiece& piece, const DimensionStyle& style) {
   return piece.circled ? 2 * circle_radius * style.text

@@ -11,6 +11,9 @@
 
 namespace epura::sheet {
 
+/// A text of values with the decimal sign of the sheet, and letters instead of signs that its font lacks.
+std::string with_own_signs(std::string text, const DimensionStyle& style);
+
 /// Numbers of the zone have the decimal sign of the sheet.
 Callout tolerance_frame(const scene::ToleranceFrame& frame, const DimensionStyle& style);
 

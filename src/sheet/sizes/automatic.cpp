@@ -34,11 +34,11 @@ using scene::DimensionDescription;
 // faces, or is as wide as the models.
 bool is_over_round_end(const Planning& plan, int axis) {
   const std::vector<RoundEnd>& ends = plan.table.round_ends;
-  const auto& [flat_low, flat_high] = plan.table.flat_ends[static_cast<std::size_t>(axis)];
+  const auto& flat = plan.table.flat_ends[static_cast<std::size_t>(axis)];
   return std::any_of(ends.begin(), ends.end(), [&](const RoundEnd& end) {
     const bool low = end.ends_models(axis, 0, plan.extent(axis)), high = end.ends_models(axis, 1, plan.extent(axis));
     return plan.views.along(end.axis) != nullptr &&
-           ((low && high) || (low && !flat_low && end.bulges(axis, 0)) || (high && !flat_high && end.bulges(axis, 1)));
+           ((low && high) || (low && !flat[0] && end.bulges(axis, 0)) || (high && !flat[1] && end.bulges(axis, 1)));
   });
 }
 

@@ -320,8 +320,8 @@ TEST_F(Pmi, CirclesOfReferencesEndAndAreTold) {
     EXPECT_TRUE(one["view"].type != 'n' || one["reason"].type != 'n') << one["id"].text;
 }
 
-// Of a seam, of an edge, of the body, and of all of it.
-TEST_F(Pmi, WhatHoldsForNoFaceIsToldAndNotDrawn) {
+// Of a seam, of an edge, of all of the part, and of its body, which is no face.
+TEST_F(Pmi, WhatHoldsForNoFaceIsAtItsPlaceOrTold) {
   const auto flat = [](int number, int item) {
     return step_aspect(number, item) + step_length(number + 2, "0.05", "") + "#" + std::to_string(number + 3) +
            "=STRAIGHTNESS_TOLERANCE('','',#" + std::to_string(number + 2) + ",#" + std::to_string(number) + ");\n";
@@ -334,10 +334,12 @@ TEST_F(Pmi, WhatHoldsForNoFaceIsToldAndNotDrawn) {
            {"--pmi", "all"});
   EXPECT_IMPORTER();
   EXPECT_EQ(drawn.code, 1) << drawn.err;
-  EXPECT_TRUE(contains(drawn.err, "4 of the 4 requirements of the models are not drawn:")) << drawn.err;
-  for (const char* id : {"#1003", "#1013", "#1023"})
-    EXPECT_EQ(row(id)["reason"].text, "not read: 1 item without a face") << id;
-  EXPECT_EQ(row("#1031")["reason"].text, "it belongs to no face of the model");
+  EXPECT_TRUE(contains(drawn.err, "1 of the 4 requirements of the models is not drawn:")) << drawn.err;
+  EXPECT_EQ(row("#1003")["view"].text, "front");
+  EXPECT_NE(row("#1013")["view"].type, 'n');
+  EXPECT_EQ(row("#1023")["reason"].text, "not read: 1 item without a face");
+  EXPECT_EQ(row("#1031")["sheet"].text, "1");
+  EXPECT_EQ(says("all over"), 1);
 }
 
 // Of a line of its surface, which a view along the axis shows as a point.
@@ -348,7 +350,10 @@ TEST_F(Pmi, StraightnessOfARoundFaceIsWhereItsLinesAreTrue) {
   EXPECT_IMPORTER();
   EXPECT_EQ(drawn.code, 0) << drawn.err;
   EXPECT_NE(row("#1003")["view"].text, "top");
-  EXPECT_EQ(draw(step_shaft(6, 30, all), {"--pmi", "all", "--views", "top"}).code, 1);
+  const std::string other = "#1004=CYLINDRICITY_TOLERANCE('','',#1002,#1000);\n";
+  EXPECT_EQ(draw(step_shaft(6, 30, all + other), {"--pmi", "all", "--views", "top"}).code, 1);
+  EXPECT_EQ(row("#1003")["view"].type, 'n');
+  EXPECT_EQ(row("#1004")["view"].text, "top");
 }
 
 TEST_F(Pmi, OneKindAloneIsDrawnIfAsked) {
