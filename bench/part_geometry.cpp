@@ -13,7 +13,6 @@
 #include <Bnd_Box.hxx>
 #include <GCPnts_TangentialDeflection.hxx>
 #include <Geom2d_Curve.hxx>
-#include <HLRAlgo_Projector.hxx>
 #include <HLRBRep_Algo.hxx>
 #include <HLRBRep_HLRToShape.hxx>
 #include <Poly_Triangulation.hxx>
@@ -26,6 +25,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <gp_Ax2.hxx>
 #include <numbers>
 
 #include "base/file.hpp"
@@ -129,6 +129,11 @@ class Curves {
   int lost_ = 0;
 };
 
+gp_Ax2 axes_of(const Vec3& viewer) {
+  const gp_Dir normal(viewer.x, viewer.y, viewer.z), z(0, 0, 1);
+  return {gp_Pnt(0, 0, 0), normal, (normal.IsParallel(z, 1e-6) ? gp_Dir(0, 1, 0) : z).Crossed(normal)};
+}
+
 /// Adds each body once, and faces that belong to none.
 void add_bodies(HLRBRep_Algo& algorithm, const TopoDS_Shape& shape) {
   for (TopExp_Explorer solid(shape, TopAbs_SOLID); solid.More(); solid.Next()) algorithm.Add(solid.Current(), 0);
@@ -176,17 +181,21 @@ void mark_tangent_edges(const TopoDS_Shape& shape) {
   }
 }
 
-ExactView exact_view(const TopoDS_Shape& part, const Vec3& viewer, double fineness) {
-  const gp_Dir normal(viewer.x, viewer.y, viewer.z), z(0, 0, 1);
-  const gp_Dir right = (normal.IsParallel(z, 1e-6) ? gp_Dir(0, 1, 0) : z).Crossed(normal), up = normal.Crossed(right);
+HLRAlgo_Projector projector_of(const Vec3& viewer, double eye) {
+  const gp_Ax2 axes = axes_of(viewer);
+  return eye > 0 ? HLRAlgo_Projector(axes, eye) : HLRAlgo_Projector(axes);
+}
+
+ExactView exact_view(const TopoDS_Shape& part, const Vec3& viewer, double fineness, double eye) {
   const Handle(HLRBRep_Algo) algorithm = new HLRBRep_Algo();
   add_bodies(*algorithm, part);
-  algorithm->Projector(HLRAlgo_Projector(gp_Ax2(gp_Pnt(0, 0, 0), normal, right)));
+  algorithm->Projector(projector_of(viewer, eye));
   algorithm->Update();
   algorithm->Hide();
 
   HLRBRep_HLRToShape found(algorithm);
   Curves curves(diagonal_of(part) / fineness, 3 / std::sqrt(fineness));
+  const gp_Dir right = axes_of(viewer).XDirection(), up = axes_of(viewer).YDirection();
   ExactView view{{right.X(), right.Y(), right.Z()}, {up.X(), up.Y(), up.Z()}, {}, {}, {}, {}, 0};
   for (const TopoDS_Shape& edges : {found.VCompound(), found.OutLineVCompound()}) curves.append(view.visible, edges);
   for (const TopoDS_Shape& edges : {found.HCompound(), found.OutLineHCompound()}) curves.append(view.hidden, edges);

@@ -2,6 +2,7 @@
 // Parts with exact surfaces, their tessellations as exported by CAD systems, and their exact views.
 #pragma once
 
+#include <HLRAlgo_Projector.hxx>
 #include <TopoDS_Shape.hxx>
 #include <array>
 #include <epura/scene.hpp>
@@ -49,8 +50,12 @@ struct ExactView {
 /// marks.
 void mark_tangent_edges(const TopoDS_Shape& shape);
 
-/// By Open CASCADE's exact hidden-line removal. `viewer` points to the viewer; z is up, or y for a view along z. Curves
-/// become polylines within diagonal / `fineness`.
-ExactView exact_view(const TopoDS_Shape& part, const Vec3& viewer, double fineness = 4000);
+/// How Open CASCADE projects: from the direction `viewer`, or from the point in it that is `eye` away from the origin,
+/// if that is not 0, onto the plane through the origin; z is up, or y for a view along z.
+HLRAlgo_Projector projector_of(const Vec3& viewer, double eye = 0);
+
+/// By Open CASCADE's exact hidden-line removal, projected like that. Curves become polylines within diagonal /
+/// `fineness`.
+ExactView exact_view(const TopoDS_Shape& part, const Vec3& viewer, double fineness = 4000, double eye = 0);
 
 }  // namespace epura::bench

@@ -47,7 +47,7 @@ def expect(what, value, wanted, tolerance):
 
 
 def lengths(shape, view):
-    found = truth.view_of(shape, list(truth.normals_of(shape)), VIEWS[view])
+    found = truth.view_of(truth.known_of(shape), VIEWS[view])
     return {kind: length_of(numpy.array(rows, float).reshape(-1, 4)) for kind, rows in found.items()}, found
 
 
@@ -65,10 +65,24 @@ def check_truth():
     ball, _ = lengths(Part.makeSphere(10), "isometric")
     expect("the outline of a sphere", ball["visible"], 20 * math.pi, 0.2)
     expect("its hidden length", ball["hidden"], 0, 0)
+    check_central()
     block = Part.makeBox(40, 30, 20)
     smooth, _ = lengths(block.makeFillet(5, [edge for edge in block.Edges if edge.BoundBox.ZLength > 1][:1]), "isometric")
     # Both stand on the same line of the paper, one 10 / sqrt(6) above the other.
     expect("the length of the edges of a fillet", smooth["smooth_visible"] + smooth["smooth_hidden"], 20 * math.sqrt(2 / 3) + 10 / math.sqrt(6), 0.1)
+
+
+def check_central():
+    """A ball and a cube before the eye: by similar triangles, and by the tangents that an eye has on a ball."""
+    eye = 60
+    seen = lambda shape, towards: truth.view_of(truth.known_of(shape), towards, eye)
+    length = lambda rows: length_of(numpy.array(rows, float).reshape(-1, 4))
+    ball = seen(Part.makeSphere(10), VIEWS["isometric"])
+    expect("the outline of a sphere from a point", length(ball["visible"]), 2 * math.pi * 10 * eye / math.sqrt(eye ** 2 - 100), 0.2)
+    cube = seen(Part.makeBox(20, 20, 20, Vector(-10, -10, -10)), VIEWS["top"])
+    expect("the visible length of a cube from a point", length(cube["visible"]), 80 * eye / (eye - 10), 0.1)
+    near, far = 10 * eye / (eye - 10), 10 * eye / (eye + 10)
+    expect("its hidden length", length(cube["hidden"]), 8 * far + 4 * math.sqrt(2) * (near - far), 0.1)
 
 
 def check_readers(folder):

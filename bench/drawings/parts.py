@@ -141,7 +141,7 @@ def casting():
     inner = [edge for edge in raw.Edges if edge.BoundBox.ZLength < 1e-3 and abs(edge.BoundBox.ZMin - 10) < 1e-3 and edge.BoundBox.DiagonalLength < 60]
     raw = raw.makeFillet(2, [edge for edge in inner if abs(edge.BoundBox.XMin) < 21 and abs(edge.BoundBox.XMax) < 21])
     holes = [cylinder(4.5, 30, (x, 0, -5)) for x in (-30, 30)] + [cylinder(8, 5, (x, 0, 9)) for x in (-30, 30)]
-    return raw.cut(Part.makeCompound([cylinder(11, 60, (0, -30, 42), Y), *holes]))
+    return raw.cut([cylinder(11, 60, (0, -30, 42), Y), *holes])  # one by one, as in gear
 
 
 def clamp():
@@ -225,7 +225,7 @@ def dome():
     rim = cylinder(38, 4).cut(cylinder(28, 10, (0, 0, -2)))
     slanted = around(6, lambda a: Part.makeCylinder(4, 60, Vector(0, 0, 0), Vector(math.cos(a), math.sin(a), 1)))
     straight = around(8, lambda a: cylinder(2, 20, (34 * math.cos(a), 34 * math.sin(a), -5)))
-    return ball.fuse(rim).cut(Part.makeCompound([*slanted, *straight, cylinder(5, 40)])).removeSplitter()
+    return ball.fuse(rim).cut([*slanted, *straight, cylinder(5, 40)]).removeSplitter()  # one by one, as in gear
 
 
 def pipe():

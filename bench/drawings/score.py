@@ -42,7 +42,8 @@ def near(points, lines, distance, own=None):
     order = numpy.argsort(points[:, 0])
     across = points[order, 0]
     first, last = numpy.searchsorted(across, low[:, 0]), numpy.searchsorted(across, high[:, 0], "right")
-    for i in numpy.nonzero(first < last)[0]:
+    beside = (low[:, 1] <= points[:, 1].max()) & (high[:, 1] >= points[:, 1].min()) if len(points) else False
+    for i in numpy.nonzero((first < last) & beside)[0]:
         line, at = lines[i], order[first[i]:last[i]]
         at = at[~found[at] & (points[at, 1] >= low[i, 1]) & (points[at, 1] <= high[i, 1])]
         if own is not None:

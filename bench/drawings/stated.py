@@ -44,9 +44,9 @@ FEW = 400  # places whose distances are computed one by one
 class Visibility:
     """Which places of lines are seen, for certain or perhaps."""
 
-    def __init__(self, shape, axes, size):
+    def __init__(self, shape, viewer, size):
         self.size = size
-        self.hiding = truth.Hiding(shape, axes)
+        self.hiding = truth.Hiding(truth.facets_of(shape), viewer)
 
     def nearest(self, places, along):
         aside = numpy.stack((-along[:, 1], along[:, 0]), 1) * ASIDE * self.size
@@ -86,40 +86,40 @@ def pieces_of(polyline, longest):
     return numpy.concatenate(rows) if rows else numpy.empty((0, 2, 3))
 
 
-def turning(face, u, v, viewer):
+def turning(face, u, v, towards):
     """By how much the normal turns to the viewer along the sight, over a tenth of the face: below 0, the face hides its own contour."""
     su, sv = (numpy.array(d) for d in face.derivative1At(u, v))
-    (a, b), *_ = numpy.linalg.lstsq(numpy.stack((su, sv), 1), numpy.array(viewer), rcond=None)
+    (a, b), *_ = numpy.linalg.lstsq(numpy.stack((su, sv), 1), numpy.array(towards), rcond=None)
     step = 1e-4 * face.BoundBox.DiagonalLength
     normals = [face.normalAt(u + sign * step * a, v + sign * step * b) for sign in (1, -1)]
-    return (normals[0].dot(viewer) - normals[1].dot(viewer)) / (2 * step) * face.BoundBox.DiagonalLength / 10
+    return (normals[0].dot(towards) - normals[1].dot(towards)) / (2 * step) * face.BoundBox.DiagonalLength / 10
 
 
-def outlines_of(shape, axes, longest):
+def outlines_of(shape, viewer, longest):
     """Pieces of contours that may be seen, and those of them of which it is certain that their own face does not hide them."""
-    viewer, solid = Vector(*axes[2]), len(shape.Solids) > 0
+    towards, solid = Vector(*viewer.axes[2]), len(shape.Solids) > 0
     may, must = [numpy.empty((0, 2, 3))], [numpy.empty((0, 2, 3))]
-    for face, us, vs, normals in truth.normals_of(shape):
-        for segment in truth.outline_of(face, us, vs, normals, axes[2]):
+    for face, *grid in truth.normals_of(shape):
+        for segment in truth.outline_of(face, *grid, viewer):
             middle = Vector(*segment.mean(0))
-            turn = turning(face, *face.Surface.parameter(middle), viewer) if solid else 1
+            turn = turning(face, *face.Surface.parameter(middle), towards) if solid else 1
             if turn < -ROUND:
                 continue
-            pieces = pieces_of(segment @ axes.T, longest)
+            pieces = pieces_of(viewer.sees(segment), longest)
             may.append(pieces)
             if turn > ROUND:
                 must.append(pieces)
     return numpy.concatenate(may), numpy.concatenate(must)
 
 
-def lines_of(shape, axes):
+def lines_of(shape, viewer):
     """Segments across the sight that may be seen, and those that are seen for certain."""
     size = shape.BoundBox.DiagonalLength
     truth.FINE = SURFACE * size
-    sight = Visibility(shape, axes, size)
+    sight = Visibility(shape, viewer, size)
     truth.FINE = CHORD * size
-    may, must = outlines_of(shape, axes, PIECE * size)
-    edges = [(pieces_of(polyline @ axes.T, PIECE * size), sharp) for polyline, sharp in truth.edges_of(shape)]
+    may, must = outlines_of(shape, viewer, PIECE * size)
+    edges = [(pieces_of(viewer.sees(polyline), PIECE * size), sharp) for polyline, sharp in truth.edges_of(shape)]
     may = numpy.concatenate([may, *(pieces for pieces, _ in edges)])
     must = numpy.concatenate([must, *(pieces for pieces, sharp in edges if sharp)])
     seen, number = sight.spans(numpy.concatenate((may, must)), len(may))
@@ -189,14 +189,14 @@ def rows_of(name, options, folder):
     made = Part.read(f"{path}.step")
     size = made.BoundBox.DiagonalLength
     made.exportStl(f"{path}.stl", size / truth.USUAL_FINENESS)
-    scale, axes = options.size / size, truth.axes_of(options.direction)
-    lines = lines_of(made, axes)
+    scale, viewer = options.size / size, truth.Viewer(options.direction)
+    lines = lines_of(made, viewer)
     files = {"STEP": f"{path}.step" if name in parts.MADE else name}
     if name in parts.MADE:
         files["STL"] = f"{path}.stl"
     for kind, file in files.items():
         view, stated = draw(file, options.view, scale, folder)
-        yield kind, stated, measure(on_page(lines, axes, view), view, size, scale)
+        yield kind, stated, measure(on_page(lines, viewer.axes, view), view, size, scale)
 
 
 def main():

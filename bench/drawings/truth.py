@@ -37,12 +37,34 @@ GRID = 64  # cells of a face along u and v, in each of which an outline is strai
 USUAL_FINENESS = 1500  # diagonal / deflection of the STL file, as in bench/parts
 
 
+class Viewer:
+    """Looks from a direction, or from the point in it that is `eye` mm away from the origin, onto the plane through that."""
+
+    def __init__(self, towards, eye=math.inf):
+        self.axes, self.eye = axes_of(towards), eye
+
+    def sees(self, points):
+        """To the right, up, and nearer to the viewer: straight lines and planes remain what they are."""
+        turned = points @ self.axes.T
+        return turned / (1 - turned[..., 2:] / self.eye)
+
+    def towards(self, points):
+        """The direction to the viewer at each point."""
+        return self.axes[2] - points / self.eye
+
+
+def facets_of(shape):
+    """The points of triangles within FINE of the faces, and which three each has."""
+    points, triangles = shape.tessellate(FINE)
+    return numpy.array([tuple(point) for point in points]), numpy.array(triangles)
+
+
 class Hiding:
     """The triangles of a part, as the viewer sees them."""
 
-    def __init__(self, shape, axes):
-        points, triangles = shape.tessellate(FINE)
-        corners = (numpy.array([tuple(point) for point in points]) @ axes.T)[numpy.array(triangles)]
+    def __init__(self, facets, viewer):
+        points, triangles = facets
+        corners = viewer.sees(points)[triangles]
         a, b, c = (corners[:, i, :2] for i in range(3))
         self.area = (b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0])
         facing = numpy.abs(self.area) > 1e-9
@@ -120,14 +142,14 @@ def normal_at(face, point):
 
 
 def edges_of(shape):
-    """Pairs of a polyline and whether the edge is sharp. Seams are no edges."""
+    """Pairs of a polyline and whether the edge is sharp. Seams are no edges, nor are lines without a face."""
     faces = {}
     for face in shape.Faces:
         for edge in face.Edges:
             faces.setdefault(edge.hashCode(), []).append((edge, face))
     for edge in shape.Edges:
         around = [face for other, face in faces.get(edge.hashCode(), []) if other.isSame(edge)]
-        if edge.Degenerated or edge.Length < 1e-7 or edge.isSeam(around[0]):
+        if not around or edge.Degenerated or edge.Length < 1e-7 or edge.isSeam(around[0]):
             continue
         places = [edge.valueAt(edge.FirstParameter + t * (edge.LastParameter - edge.FirstParameter)) for t in (0.1, 0.3, 0.5, 0.7, 0.9)]
         sharp = len(around) != 2 or any(normal_at(around[0], p).getAngle(normal_at(around[1], p)) > TANGENT for p in places)
@@ -135,19 +157,22 @@ def edges_of(shape):
 
 
 def normals_of(shape):
-    """Each curved face with the parameters and normals of a grid over it."""
+    """Each curved face with the parameters, points and normals of a grid over it."""
     for face in shape.Faces:
         if not isinstance(face.Surface, Part.Plane):
             u0, u1, v0, v1 = face.ParameterRange
             us, vs = numpy.linspace(u0, u1, GRID + 1), numpy.linspace(v0, v1, GRID + 1)
-            yield face, us, vs, numpy.array([[tuple(face.normalAt(u, v)) for v in vs] for u in us])
+            yield face, us, vs, *(numpy.array([[tuple(at(u, v)) for v in vs] for u in us]) for at in (face.valueAt, face.normalAt))
 
 
-def outline_of(face, us, vs, normals, towards):
+def outline_of(face, us, vs, points, normals, viewer):
     """Segments in space where a curved face turns from the viewer."""
-    values = normals @ towards
+    values = (normals * viewer.towards(points)).sum(2)
     positive = values > 1e-9
-    viewer, crossings = Vector(*towards), {}
+    crossings, direction = {}, Vector(*viewer.axes[2])
+
+    def faces_viewer(u, v):
+        return face.normalAt(u, v).dot(direction - face.valueAt(u, v) / viewer.eye) > 0
 
     def crossing(i, j, k, l):
         key = (i, j, k, l)
@@ -157,7 +182,7 @@ def outline_of(face, us, vs, normals, towards):
                 low, high = high, low
             for _ in range(40):
                 middle = ((low[0] + high[0]) / 2, (low[1] + high[1]) / 2)
-                low, high = (low, middle) if face.normalAt(*middle).dot(viewer) > 0 else (middle, high)
+                low, high = (low, middle) if faces_viewer(*middle) else (middle, high)
             crossings[key] = low
         return crossings[key]
 
@@ -182,14 +207,19 @@ def pieces_of(polyline):
     return numpy.array(pieces).reshape(-1, 2, 3)
 
 
-def view_of(shape, curved, viewer):
-    axes = axes_of(viewer)
-    hiding = Hiding(shape, axes)
+def known_of(shape):
+    """What all views of a shape begin with."""
+    return shape, list(normals_of(shape)), facets_of(shape)
+
+
+def view_of(known, towards, eye=math.inf):
+    (shape, curved, facets), viewer = known, Viewer(towards, eye)
+    hiding = Hiding(facets, viewer)
     lines = {"sharp": [], "smooth": []}
     for polyline, sharp in edges_of(shape):
-        lines["sharp" if sharp else "smooth"].append(pieces_of(polyline @ axes.T))
+        lines["sharp" if sharp else "smooth"].append(pieces_of(viewer.sees(polyline)))
     for face in curved:
-        segments = [pieces_of(segment @ axes.T) for segment in outline_of(*face, axes[2])]
+        segments = [pieces_of(viewer.sees(segment)) for segment in outline_of(*face, viewer)]
         if segments:
             lines["sharp"].append(numpy.concatenate(segments))
     view = {}
@@ -247,9 +277,9 @@ def main(folder, *names):
         shape = write(shape, path)
         cut = shape.BoundBox.Center.y
         half = write(half_of(shape, cut), f"{path}-half")
-        curved = list(normals_of(shape))
-        truth = {view: view_of(shape, curved, viewer) for view, viewer in VIEWS.items() if view != "section"}
-        section = truth["section"] = view_of(half, list(normals_of(half)), VIEWS["section"])
+        known = known_of(shape)
+        truth = {view: view_of(known, viewer) for view, viewer in VIEWS.items() if view != "section"}
+        section = truth["section"] = view_of(known_of(half), VIEWS["section"])
         section["smooth_hidden"] += section["hidden"]
         section["hidden"] = []
         pathlib.Path(f"{path}.json").write_text(json.dumps({"cut": cut, "views": truth}))
