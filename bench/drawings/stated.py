@@ -35,7 +35,8 @@ END = 3e-4  # by which lines may be seen farther, or less far for certain, than 
 HALVINGS = 8  # of a piece in which visibility changes
 INK_STEP = 5e-4  # between places that are tested along ink
 ROUND = 0.02  # radians by which the normal turns over a tenth of the size of a face; less may be the cusp of a contour
-GRID = 24  # cells of a face along u and v: outlines lie on the surface at their sides, and off the sight by the square of what they bend in between
+GRID = 72  # cells of a face along u and v: outlines lie on the surface at their sides, and off the sight by the square of what they bend in
+# between. Of thin tori, with a third as many, cusps were 0.8 mm off.
 FIRST = 1e-5  # of distances, which grow by FACTOR
 FACTOR = 3
 FEW = 400  # places whose distances are computed one by one
