@@ -14,11 +14,10 @@
 namespace epura::test {
 
 /// A shaft about z with a hole through its axis.
-inline std::string shaft_with_cross_hole(double angle, double height, double radius) {
+inline std::string shaft_with_cross_hole(double angle, double height, double radius, int rings = 8) {
   constexpr double outer = RadialHole::outer;
-  constexpr int rings = RadialHole::rings;
   Model model;
-  const std::vector<RadialHole> holes = radial_holes({angle, angle + 180}, height, radius);
+  const std::vector<RadialHole> holes = radial_holes({angle, angle + 180}, height, radius, rings);
   const std::size_t count = holes[0].border.size();
   for (const RadialHole& hole : holes)
     for (std::size_t i = 0; i < count; ++i) {

@@ -256,10 +256,10 @@ inline std::vector<KnownPart> links() {
 /// border of the sector.
 struct RadialHole {
   static constexpr double outer = 20, length = 40;
-  static constexpr int rings = 8;
 
   double middle, height;  ///< of the hole: degrees about z, and along it
   Loop border, rim;       ///< the sector as (degrees, height), and the hole about its axis; points of equal number
+  int rings = 8;
 
   /// Where a bore about the radial direction meets a cylinder, in ring 0, and beyond.
   [[nodiscard]] Vec3 at(double r, int ring, std::size_t i) const {
@@ -288,14 +288,16 @@ struct RadialHole {
   }
 };
 
-inline std::vector<RadialHole> radial_holes(const std::vector<double>& angles, double height, double radius) {
+inline std::vector<RadialHole> radial_holes(const std::vector<double>& angles, double height, double radius,
+                                            int rings = 8) {
   std::vector<RadialHole> holes;
   const std::size_t count = angles.size();
   for (std::size_t s = 0; s < count; ++s) {
     const double middle = angles[s], before = angles[(s + count - 1) % count] - (s == 0 ? 360 : 0),
                  after = angles[(s + 1) % count] + (s + 1 == count ? 360 : 0);
     const double from = (middle + before) / 2, to = (middle + after) / 2;
-    holes.push_back({middle, height, square({from, 0}, {to - from, RadialHole::length}), circle({0, 0}, radius, -135)});
+    holes.push_back(
+        {middle, height, square({from, 0}, {to - from, RadialHole::length}), circle({0, 0}, radius, -135), rings});
   }
   return holes;
 }
@@ -303,7 +305,6 @@ inline std::vector<RadialHole> radial_holes(const std::vector<double>& angles, d
 /// A tube about z with holes towards its axis, each in a sector of its own.
 inline std::string tube_with_holes(const std::vector<double>& angles, double height, double radius) {
   constexpr double inner = 14, outer = RadialHole::outer;
-  constexpr int rings = RadialHole::rings;
   Model model;
   for (const RadialHole& hole : radial_holes(angles, height, radius))
     for (std::size_t i = 0; i < hole.border.size(); ++i) {
@@ -312,8 +313,8 @@ inline std::string tube_with_holes(const std::vector<double>& angles, double hei
       hole.add_cylinder(model, inner, i, true);
       model.face({hole.at(outer, 0, i), hole.at(outer, 0, j), hole.at(inner, 0, j), hole.at(inner, 0, i)});
       if (hole.is_on_end(i))
-        model.face(
-            {hole.at(outer, rings, j), hole.at(outer, rings, i), hole.at(inner, rings, i), hole.at(inner, rings, j)});
+        model.face({hole.at(outer, hole.rings, j), hole.at(outer, hole.rings, i), hole.at(inner, hole.rings, i),
+                    hole.at(inner, hole.rings, j)});
     }
   return model.obj();
 }
@@ -322,7 +323,6 @@ inline std::string tube_with_holes(const std::vector<double>& angles, double hei
 inline std::string shaft_with_blind_holes(const std::vector<double>& angles, double height, double radius,
                                           double floor) {
   constexpr double outer = RadialHole::outer;
-  constexpr int rings = RadialHole::rings;
   Model model;
   for (const RadialHole& hole : radial_holes(angles, height, radius)) {
     std::vector<Vec3> bottom;
@@ -332,7 +332,7 @@ inline std::string shaft_with_blind_holes(const std::vector<double>& angles, dou
       model.face({hole.at(outer, 0, i), hole.at(outer, 0, j), hole.at_floor(floor, j), hole.at_floor(floor, i)});
       bottom.push_back(hole.at_floor(floor, i));
       if (hole.is_on_end(i))
-        model.face({hole.at(outer, rings, j), hole.at(outer, rings, i), Vec3(0, 0, hole.border[i].y)});
+        model.face({hole.at(outer, hole.rings, j), hole.at(outer, hole.rings, i), Vec3(0, 0, hole.border[i].y)});
     }
     model.face(bottom);
   }

@@ -62,6 +62,15 @@ bool has_no_say(const Facets& facets, int facet, const PartSurface& surface, dou
          facets.facets[facet].width <= 2 * std::min(sagitta, max_relative_sagitta * min_radius);
 }
 
+// How far below a round surface the middle of a facet is at most that has its vertices on it, and faces as it does
+// there within 60 degrees. Those of a bore may all be on the shaft that it crosses: its walls lie deeper.
+double deepest(const Facets& facets, int facet, const PartSurface& surface) {
+  double radius = surface.kind == SurfaceKind::sphere ? surface.radius : surface.minor;
+  for (const int v : facets.supports_of(facet))
+    radius = std::max(radius, glm::length(glm::cross(facets.points[v] - surface.origin, surface.axis)));
+  return (1 - min_facing) * radius;
+}
+
 }  // namespace
 
 bool approximates(const Facets& facets, int facet, const PartSurface& surface, double allowance, double sagitta) {
@@ -73,9 +82,11 @@ bool approximates(const Facets& facets, int facet, const PartSurface& surface, d
     faces_away = faces_away || (near.normal != Vec3(0) && std::abs(glm::dot(near.normal, f.normal)) < min_agreement &&
                                 !is_at_apex(surface, facets.points[v], allowance));
   }
-  if (has_no_say(facets, facet, surface, sagitta)) return true;
-  return !faces_away &&
-         (sagitta == 0 || std::abs(signed_distance(surface, f.middle)) <= max_sagittas * sagitta + allowance);
+  const auto is_within = [&](double depth) {
+    return std::abs(signed_distance(surface, f.middle)) <= depth + allowance;
+  };
+  if (has_no_say(facets, facet, surface, sagitta)) return is_within(deepest(facets, facet, surface));
+  return !faces_away && (sagitta == 0 || is_within(max_sagittas * sagitta));
 }
 
 bool is_chord(const Facets& facets, int facet, const PartSurface& surface, double allowance, double sagitta) {
@@ -92,7 +103,7 @@ bool is_chord(const Facets& facets, int facet, const PartSurface& surface, doubl
       const Vec3 normal = normal_at_vertex(surface, facets.points[v], allowance);
       if (normal != Vec3(0) && std::abs(glm::dot(normal, f.normal)) < min_agreement) return false;
     }
-  const double most = max_sagittas * sagitta + allowance;
+  const double most = std::min(max_sagittas * sagitta, deepest(facets, facet, surface)) + allowance;
   for (const int t : facets.triangles_of(facet)) {
     const auto& [a, b, c] = facets.corners[t];
     const Vec3 middle = (facets.points[a] + facets.points[b] + facets.points[c]) / 3.0;
