@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
+#include "search/halved_order.hpp"
 #include "surfaces/limits.hpp"
 #include "world/placed_part.hpp"
 
@@ -55,8 +57,14 @@ FaceView::FaceView(std::string name, projection::Projection projection, const wo
       projection_(std::move(projection)),
       world_(world),
       slack_(depth_slack * glm::length(world.box.size())) {
-  tree_ = search::BoundsTree<3>(world_.triangles.size(), [this](std::size_t t) {
+  order_.resize(world_.triangles.size());
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  search::order_by_halving(order_.begin(), order_.end(), [this](std::size_t t) {
     const Corners page = corners_of(t);
+    return Vec2(page[0] + page[1] + page[2]);
+  });
+  tree_ = search::BoundsTree<3>(order_.size(), [this](std::size_t i) {
+    const Corners page = corners_of(order_[i]);
     const auto [left, right] = std::minmax({page[0].x, page[1].x, page[2].x});
     const auto [low, high] = std::minmax({page[0].y, page[1].y, page[2].y});
     const auto [far, near] = std::minmax({page[0].z, page[1].z, page[2].z});
@@ -76,8 +84,8 @@ FaceView::Corners FaceView::corners_of(std::size_t triangle) const {
 // Whether the line of sight through a place meets a face between two depths: the first one answers, of however many.
 bool FaceView::has_face_between(const Vec2& place, double from, double to) const {
   bool is_met = false;
-  tree_.visit({{{place.x, place.x}, {place.y, place.y}, {from, to}}}, [&](std::size_t t) {
-    const PageTriangle seen(corners_of(t));
+  tree_.visit({{{place.x, place.x}, {place.y, place.y}, {from, to}}}, [&](std::size_t i) {
+    const PageTriangle seen(corners_of(order_[i]));
     const auto depth = seen.is_edge_on() ? std::nullopt : seen.depth_at(place);
     is_met = depth && from < *depth && *depth <= to;
     return !is_met;

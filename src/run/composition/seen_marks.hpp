@@ -72,7 +72,8 @@ class FaceView {
   std::string name_;
   projection::Projection projection_;
   const world::World& world_;
-  search::BoundsTree<3> tree_;              ///< of triangles on the page, with their depth
+  std::vector<std::size_t> order_;          ///< of triangles: beside one another on the page
+  search::BoundsTree<3> tree_;              ///< of these on the page, with their depth
   double slack_;                            ///< by which depths of one place may differ
   std::vector<TrianglesByFace> triangles_;  ///< by model
 };
