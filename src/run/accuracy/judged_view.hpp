@@ -6,10 +6,28 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
+#include <vector>
 
 #include "accuracy/view_error.hpp"
 
 namespace epura::accuracy {
+
+/// The edge of the whole mesh, to which recognised faces belong, on which that of a model lies, which may be cut; null
+/// if it runs across a facet.
+inline const mesh::MeshEdge* edge_of_part(const world::Placed& placed, std::ptrdiff_t mesh_edge) {
+  const mesh::Mesh& whole = placed.mesh->whole();
+  const mesh::MeshEdge* edge = &placed.mesh->edges[static_cast<std::size_t>(mesh_edge)];
+  return &whole == placed.mesh.get() ? edge : whole.edge_between(placed.mesh->origin_of(*edge).vertex);
+}
+
+/// Whether recognised faces on both sides of such an edge are of one surface, or tangent.
+inline bool is_inside_part(const world::Placed& placed, std::ptrdiff_t mesh_edge) {
+  const mesh::MeshEdge* edge = edge_of_part(placed, mesh_edge);
+  if (edge == nullptr) return false;
+  const surfaces::PartBorder* border = placed.part->border_at(edge - placed.mesh->whole().edges.data());
+  return border == nullptr || border->kind != surfaces::BorderKind::sharp;
+}
 
 class JudgedView {
  public:
@@ -50,13 +68,27 @@ class JudgedView {
   // Whether facets on both sides are of one surface.
   [[nodiscard]] bool is_inside(const world::Placed& placed, std::ptrdiff_t mesh_edge,
                                const std::array<int, 2>& both) const {
-    if (placed.part != nullptr) {
-      const surfaces::PartBorder* border = placed.part->border_at(mesh_edge);
-      return border == nullptr || border->kind != surfaces::BorderKind::sharp;
-    }
+    if (placed.part != nullptr) return is_inside_part(placed, mesh_edge);
     constexpr double sharp = 0.5;  // sine of 30 degrees, the least angle of a crease
     const Vec3 a = normal_of(both[0]), b = normal_of(both[1]);
     return !(glm::length(glm::cross(a, b)) >= sharp * glm::length(a) * glm::length(b));
+  }
+
+  // By vertex: whether a surface ends there, and contours with it.
+  [[nodiscard]] std::vector<char> vertices_of_rims() const {
+    std::vector<char> rims(judged_.view.vertices.size(), 0);
+    for (std::size_t m = 0; m < judged_.world.models.size(); ++m) {
+      const world::Placed& placed = judged_.world.models[m];
+      const int first = judged_.world.first_triangle[m], before = judged_.world.first_vertex[m];
+      for (std::size_t e = 0; e < placed.mesh->edges.size(); ++e) {
+        const std::span<const int> beside = placed.mesh->triangles_of(placed.mesh->edges[e]);
+        if (beside.size() == 2 && (placed.part == nullptr || is_inside(placed, static_cast<std::ptrdiff_t>(e),
+                                                                       {first + beside[0], first + beside[1]})))
+          continue;
+        for (const int vertex : placed.mesh->edges[e].vertex) rims[static_cast<std::size_t>(before + vertex)] = 1;
+      }
+    }
+    return rims;
   }
 
  protected:

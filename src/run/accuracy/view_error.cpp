@@ -9,11 +9,11 @@
 #include <vector>
 
 #include "accuracy/contour_ends.hpp"
+#include "accuracy/drawn_ends.hpp"
 #include "accuracy/judged_view.hpp"
 #include "base/portable_math.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/limits.hpp"
-#include "drawing/settled_pieces.hpp"
 #include "view/condition.hpp"
 
 namespace epura::accuracy {
@@ -150,15 +150,15 @@ class Judge : JudgedView {
 /// How far it is, mm, from where it would be.
 struct MeasuredInk {
   double merged;        ///< drawing::merged_by
-  double contour_ends;  ///< drawing::off_at_contour_ends
+  double contour_ends;  ///< off_at_drawn_ends
 };
 
 MeasuredInk measured_ink(const ViewToJudge& judged, const Progress& progress) {
-  MeasuredInk ink{judged.drawing.distances.joined_within, judged.edges.moved * judged.paper.scale};
+  MeasuredInk ink{judged.drawing.distances.joined_within, longest_drawn(judged)};
   try {
     const visibility::ResolvedView lines{judged.world, judged.view, judged.edges, judged.hidden};
     ink.merged = drawing::merged_by(lines, judged.paper, judged.options, judged.drawing, progress);
-    ink.contour_ends = drawing::off_at_contour_ends(lines, judged.paper, judged.options, progress);
+    ink.contour_ends = off_at_drawn_ends(judged, progress);
   } catch (const OutOfTime&) {  // the bounds stay
   }
   return ink;

@@ -10,7 +10,6 @@
 #include "base/parallel.hpp"
 #include "drawing/limits.hpp"
 #include "drawing/moved_contours.hpp"
-#include "drawing/t_junctions.hpp"
 
 namespace epura::drawing {
 
@@ -50,17 +49,17 @@ std::optional<Vec2> met(const MovedContours& contours, const Piece& piece, bool 
 
 }  // namespace
 
-double meet_contours(const visibility::ResolvedView& lines, const view::PaperMap& paper, double tolerance,
-                     std::vector<Piece>& pieces) {
-  const TJunctions junctions = move_t_junctions(lines, paper, pieces);
-  check(junctions.off >= 0, "an end is off by a distance");
+std::vector<SettledEnds> meet_contours(const visibility::ResolvedView& lines, const view::PaperMap& paper,
+                                       double tolerance, std::vector<Piece>& pieces) {
+  std::vector<SettledEnds> settled = move_t_junctions(lines, paper, pieces);
+  check(settled.size() == pieces.size(), "each piece tells whether its ends are settled");
   const MovedContours contours(lines, paper, tolerance, pieces);
-  if (contours.empty()) return junctions.off;
+  if (contours.empty()) return settled;
   std::vector<std::array<std::optional<Vec2>, 2>> places(pieces.size());
   parallel_for(pieces.size(), 1024, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       for (const std::size_t k : {0, 1})
-        if (!junctions.settled[i][k] && pieces[i].s[k] > 0 && pieces[i].s[k] < 1)
+        if (!settled[i][k] && pieces[i].s[k] > 0 && pieces[i].s[k] < 1)
           places[i][k] = met(contours, pieces[i], is_moved(edge_of(lines, pieces[i])),
                              in_mesh(lines, paper, pieces[i], k), k == 0 ? pieces[i].from : pieces[i].to);
   });
@@ -68,7 +67,7 @@ double meet_contours(const visibility::ResolvedView& lines, const view::PaperMap
     if (places[i][0]) pieces[i].from = *places[i][0];
     if (places[i][1]) pieces[i].to = *places[i][1];
   }
-  return junctions.off;
+  return settled;
 }
 
 }  // namespace epura::drawing

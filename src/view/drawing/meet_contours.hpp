@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "drawing/ink.hpp"
+#include "drawing/t_junctions.hpp"
 #include "view/paper_map.hpp"
 #include "visibility/visibility.hpp"
 
@@ -14,8 +15,8 @@ namespace epura::drawing {
 
 /// Moves T-junctions, which turns and divides pieces, and then those other ends that lie within `tolerance` mm of a
 /// visible contour of the mesh to where the contour is drawn. Pieces are in the order that move_t_junctions needs.
-/// Returns by how much visible contours may end too early or too late (TJunctions::off).
-double meet_contours(const visibility::ResolvedView& lines, const view::PaperMap& paper, double tolerance,
-                     std::vector<Piece>& pieces);
+/// Returns which ends T-junctions settle, by piece.
+std::vector<SettledEnds> meet_contours(const visibility::ResolvedView& lines, const view::PaperMap& paper,
+                                       double tolerance, std::vector<Piece>& pieces);
 
 }  // namespace epura::drawing

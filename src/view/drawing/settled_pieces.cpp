@@ -69,17 +69,11 @@ std::vector<Piece> pieces_of(const visibility::ResolvedView& lines, const view::
 SettledPieces settled_pieces(const visibility::ResolvedView& lines, const view::PaperMap& paper,
                              const DrawingOptions& options, const Progress& progress) {
   const double near = options.near.distance;
-  SettledPieces settled{pieces_of(lines, paper, options.hidden || !options.leave_out, progress), 0};
-  settle_doubts(settled.pieces, near > 0 ? std::max(near, lines.drawn.moved * paper.scale) : 0, progress);
-  settled.off_at_ends =
-      meet_contours(lines, paper, 4 * coincidence_on_paper(lines.view, paper).tolerance, settled.pieces);
-  return settled;
-}
-
-double off_at_contour_ends(const visibility::ResolvedView& lines, const view::PaperMap& paper,
-                           const DrawingOptions& options, const Progress& progress) {
-  if (lines.drawn.moved == 0) return 0;
-  return std::min(settled_pieces(lines, paper, options, progress).off_at_ends, lines.drawn.moved * paper.scale);
+  SettledPieces made{pieces_of(lines, paper, options.hidden || !options.leave_out, progress), {}, 0};
+  settle_doubts(made.pieces, near > 0 ? std::max(near, lines.drawn.moved * paper.scale) : 0, progress);
+  made.meeting = 4 * coincidence_on_paper(lines.view, paper).tolerance;
+  made.settled = meet_contours(lines, paper, made.meeting, made.pieces);
+  return made;
 }
 
 }  // namespace epura::drawing

@@ -7,6 +7,7 @@
 #include "base/progress.hpp"
 #include "drawing/ink.hpp"
 #include "drawing/make_drawing.hpp"
+#include "drawing/t_junctions.hpp"
 #include "view/paper_map.hpp"
 #include "visibility/visibility.hpp"
 
@@ -14,16 +15,12 @@ namespace epura::drawing {
 
 struct SettledPieces {
   std::vector<Piece> pieces;
-  double off_at_ends;  ///< by how much visible contours may end too early or too late, mm (TJunctions::off)
+  std::vector<SettledEnds> settled;  ///< by piece
+  double meeting;                    ///< mm; ends within it of a line, both in the mesh, are on it
 };
 
 /// Returns pieces in the order of edges, with the hidden ones of moved contours, whatever is kept. Throws OutOfTime.
 SettledPieces settled_pieces(const visibility::ResolvedView& lines, const view::PaperMap& paper,
                              const DrawingOptions& options, const Progress& progress = {});
-
-/// Returns SettledPieces::off_at_ends, at once where all contours are drawn in their places on the mesh. Throws
-/// OutOfTime.
-double off_at_contour_ends(const visibility::ResolvedView& lines, const view::PaperMap& paper,
-                           const DrawingOptions& options, const Progress& progress = {});
 
 }  // namespace epura::drawing

@@ -52,17 +52,6 @@ class ContourWays {
     return here.first->way.edge == way.edge ? (here.first + 1)->way : here.first->way;
   }
 
-  /// The ways from the end of one, except back.
-  [[nodiscard]] std::vector<Way> beyond(const Way& way) const {
-    const int vertex = lines_.drawn.edges[way.edge].vertex[way.ahead];
-    std::vector<Way> others;
-    for (auto at = std::lower_bound(ends_.begin(), ends_.end(), vertex,
-                                    [](const Start&start, int wanted) { return start.vertex < wanted; });
-         at != ends_.end() && at->vertex == vertex; ++at)
-      if (at->way.edge != way.edge) others.push_back(at->way);
-    return others;
-  }
-
   /// Returns the first piece of an edge along a way, or the number of pieces if it has none.
   [[nodiscard]] std::size_t begin(const Way& way) const {
     const std::size_t first = first_[static_cast<std::size_t>(way.edge)],
@@ -170,50 +159,7 @@ class ContourPieces {
   /// How far a change is moved at most.
   [[nodiscard]] double reach(const Step& visible) const { return crossing_within * moved(pieces_[visible.piece]); }
 
-  /// By how much visible parts of moved contours may be too long or too short where facets alone tell that something
-  /// hides the rest: they tell it for the contour of the mesh, and are wrong by as much as that is moved, to first
-  /// order. Where what hides it crosses it as both are drawn, and in cusps of tori, surfaces tell it.
-  [[nodiscard]] double off_at_ends(const std::vector<SettledEnds>& settled) const {
-    double largest = 0;
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
-      for (const std::size_t ahead : {0, 1})
-        if (pieces_[i].visible && !settled[i][ahead] && is_moved(edge_of(lines_, pieces_[i])))
-          largest = std::max(largest, off_at_end({i, ahead}));
-    return largest;
-  }
-
  private:
-  [[nodiscard]] double off_at_end(const Step& step) const {
-    const Piece& piece = pieces_[step.piece];
-    const double s = piece.s[step.ahead];
-    if (!(s > 0 && s < 1)) return ends_at_vertex(step) ? moved(piece, step.ahead) : 0;
-    const auto next = after(step);
-    return !next || is_hidden_from(*next) ? moved(piece) : 0;
-  }
-
-  // Whether facets tell that something hides a contour from the end of its edge on, and no other goes on from there.
-  [[nodiscard]] bool ends_at_vertex(const Step& step) const {
-    bool is_hidden = false;
-    for (const Way& way : ways_.beyond({pieces_[step.piece].edge, step.ahead})) {
-      if (lines_.drawn.edges[way.edge].by_chance) continue;
-      const Step next{ways_.begin(way), way.ahead};
-      const bool is_left_out =
-          next.piece == pieces_.size() || pieces_[next.piece].s[1 - way.ahead] != (way.ahead == 1 ? 0 : 1);
-      if (!is_left_out && pieces_[next.piece].visible && !turns_back(step, next)) return false;
-      is_hidden = is_hidden || is_left_out || is_hidden_from(next);
-    }
-    return is_hidden;
-  }
-
-  // Whether the beginning of a step is hidden; not in a cusp, beyond which the surface hides it.
-  [[nodiscard]] bool is_hidden_from(const Step& step) const {
-    const Piece& piece = pieces_[step.piece];
-    const edges::FeatureEdge& edge = edge_of(lines_, piece);
-    if (piece.visible || edge.hollow == 0) return !piece.visible;
-    const std::size_t begin = 1 - step.ahead;
-    return std::abs(piece.s[begin] - edge.hollow_part()[begin]) > rounding_part;
-  }
-
   [[nodiscard]] Vec2 along(const Step& step) const {
     const Piece& piece = pieces_[step.piece];
     return end_of(piece, step.ahead) - end_of(piece, 1 - step.ahead);
@@ -512,27 +458,25 @@ class TurnedPieces {
 
 }  // namespace
 
-TJunctions move_t_junctions(const visibility::ResolvedView& lines, const view::PaperMap& paper,
-                            std::vector<Piece>& pieces) {
+std::vector<SettledEnds> move_t_junctions(const visibility::ResolvedView& lines, const view::PaperMap& paper,
+                                          std::vector<Piece>& pieces) {
   const auto& edges = lines.drawn.edges;
-  TJunctions junctions{std::vector<SettledEnds>(pieces.size()), 0};
-  if (std::none_of(edges.begin(), edges.end(), is_moved)) return junctions;
+  if (std::none_of(edges.begin(), edges.end(), is_moved)) return std::vector<SettledEnds>(pieces.size());
   const ContourPieces contours(lines, paper, pieces);
-  if (const std::vector<Step> ends = contours.hidden_ends(); !ends.empty()) {
-    const LinesInFront in_front(lines, paper, pieces, contours, ends);
-    const ChangeSearch search(contours, in_front);
-    std::vector<std::optional<Change>> changes(ends.size());
-    parallel_for(ends.size(), 64, [&](std::size_t begin, std::size_t end) {
-      for (std::size_t i = begin; i < end; ++i) changes[i] = search.change_at(ends[i]);
-    });
-    TurnedPieces turned(lines, paper, pieces, contours);
-    for (const auto& change : changes)
-      if (change) turned.apply(*change);
-    junctions.settled = turned.finish();
-    check(junctions.settled.size() == pieces.size(), "each piece tells whether its ends are settled");
-  }
-  junctions.off = ContourPieces(lines, paper, pieces).off_at_ends(junctions.settled);
-  return junctions;
+  const std::vector<Step> ends = contours.hidden_ends();
+  if (ends.empty()) return std::vector<SettledEnds>(pieces.size());
+  const LinesInFront in_front(lines, paper, pieces, contours, ends);
+  const ChangeSearch search(contours, in_front);
+  std::vector<std::optional<Change>> changes(ends.size());
+  parallel_for(ends.size(), 64, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t i = begin; i < end; ++i) changes[i] = search.change_at(ends[i]);
+  });
+  TurnedPieces turned(lines, paper, pieces, contours);
+  for (const auto& change : changes)
+    if (change) turned.apply(*change);
+  std::vector<SettledEnds> settled = turned.finish();
+  check(settled.size() == pieces.size(), "each piece tells whether its ends are settled");
+  return settled;
 }
 
 }  // namespace epura::drawing

@@ -18,14 +18,10 @@ namespace epura::drawing {
 /// Which ends of a piece are where they belong.
 using SettledEnds = std::array<bool, 2>;
 
-struct TJunctions {
-  std::vector<SettledEnds> settled;  ///< by piece
-  double off;  ///< by how much other visible ends of moved contours may be too early or too late, mm
-};
-
 /// Moves the change between visible and hidden along contours to the visible contours that hide them. Pieces are in the
-/// order of edges and of their places on them, with the hidden ones of moved contours, and stay so.
-TJunctions move_t_junctions(const visibility::ResolvedView& lines, const view::PaperMap& paper,
-                            std::vector<Piece>& pieces);
+/// order of edges and of their places on them, with the hidden ones of moved contours, and stay so. Returns which ends
+/// are settled, by piece.
+std::vector<SettledEnds> move_t_junctions(const visibility::ResolvedView& lines, const view::PaperMap& paper,
+                                          std::vector<Piece>& pieces);
 
 }  // namespace epura::drawing

@@ -217,7 +217,7 @@ TEST(MaxError, ChoosesMergingAndDecimals) {
 
 TEST(ErrorBudget, IsExplainedByTerms) {
   const Folder folder;
-  const Outcome run = epura({"explain", sample("elbow.obj"), "--views", "front,top"}, folder / "");
+  const Outcome run = epura({"explain", sample("sombrero.obj"), "--views", "front,isometric"}, folder / "");
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(contains(run.out, "error on paper, mm")) << run.out;
   for (const char* term : {"total", "surface", "contours", "file", "grid", "hiding"})

@@ -68,10 +68,9 @@ struct Contours {
     add(2, false, 0, 1);
   }
 
-  drawing::TJunctions junctions() {
+  std::vector<drawing::SettledEnds> move() {
     return drawing::move_t_junctions({world, view, drawn, visibility::nothing_hidden(drawn)}, {1, Vec2(0)}, pieces);
   }
-  std::vector<drawing::SettledEnds> move() { return junctions().settled; }
 
   // The contour is in one piece after the other, of which those from `x` on are visible.
   void expect_visible_from(double x) const {
@@ -218,36 +217,6 @@ TEST(TJunctions, ContoursAreMovedNoFartherThanFacets) {
   contours.add_upright(2.5, in_front);
   contours.move();
   EXPECT_EQ(contours.visible(), (std::array{0.25, 0.25}));
-}
-
-// By half a millimetre, as far as the contour of the mesh is beside what is drawn.
-TEST(TJunctions, EndsAreOffWhereFacetsAloneTellThem) {
-  Contours hidden_by_nothing_drawn;
-  hidden_by_nothing_drawn.add_first_quarter();
-  EXPECT_EQ(hidden_by_nothing_drawn.junctions().off, 0.5);
-  Contours between_edges;
-  between_edges.add(0, true, 0, 1);
-  between_edges.add(1, false, 0, 1);
-  between_edges.add(2, false, 0, 1);
-  EXPECT_EQ(between_edges.junctions().off, 0.5);
-  Contours visible;
-  for (const int edge : {0, 1, 2}) visible.add(edge, true, 0, 1);
-  EXPECT_EQ(visible.junctions().off, 0);
-}
-
-TEST(TJunctions, EndsAreRightWhereSurfacesTellThem) {
-  Contours crossed;
-  crossed.add_first_quarter();
-  crossed.add_upright(1.5, in_front);
-  EXPECT_EQ(crossed.junctions().off, 0);
-  Contours cusp;
-  cusp.drawn.edges[0].hollow = -0.75F;
-  cusp.add_first_quarter();
-  EXPECT_EQ(cusp.junctions().off, 0);
-  Contours before_the_cusp;
-  before_the_cusp.drawn.edges[0].hollow = -0.5F;
-  before_the_cusp.add_first_quarter();
-  EXPECT_EQ(before_the_cusp.junctions().off, 0.5);
 }
 
 }  // namespace
