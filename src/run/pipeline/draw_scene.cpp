@@ -473,7 +473,7 @@ void Run::verify_kept(const ShownWorlds& worlds, PreparedSheet& sheet, Attempt& 
 FinishedSheet Run::draw_best_sheet(const ShownWorlds& worlds, SheetOfViews views) {
   PreparedSheet sheet = prepare_sheet(worlds, std::move(views));
   Attempt best = draw_in_best_layout(worlds, sheet);
-  std::string warning;
+  bool is_without_table = false;
   if (const auto holes = other_holes(best.sheet, sheet); holes && !progress.is_out_of_time()) {
     const auto faults = faults_of(best.sheet);
     std::optional<Attempt> other;
@@ -486,16 +486,17 @@ FinishedSheet Run::draw_best_sheet(const ShownWorlds& worlds, SheetOfViews views
     if (attempt_if({}, draw, [&](const FinishedSheet&) { return faults_of(other->sheet) < faults; })) {
       best = std::move(*other);
       sheet = std::move(*changed);
-      if (*holes == HoleDimensions::notes)
-        warning =
-            "the sheet has no room for the table of the holes, which have dimensions instead\n"
-            "  hint: use a larger sheet or a smaller scale";
+      is_without_table = *holes == HoleDimensions::notes;
     }
   }
   verify_kept(worlds, sheet, best);
   best.told.tell(messages);
-  if (!warning.empty()) messages.warn(warning);
   gathered = std::move(best.gathered);
+  if (is_without_table) {
+    const std::string what = "no room for the table of the holes, which have dimensions instead";
+    messages.warn("the sheet has " + what + "\n  hint: use a larger sheet or a smaller scale");
+    if (options.lint) gathered.report.findings.push_back({report::FindingKind::off_sheet, "", "there is " + what});
+  }
   return std::move(best.sheet);
 }
 

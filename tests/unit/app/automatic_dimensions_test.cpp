@@ -175,11 +175,18 @@ TEST_F(AutomaticDimensions, OfHolesBehindOthersHaveOneNote) {
 
 TEST_F(AutomaticDimensions, TableWithoutRoomIsReported) {
   const std::string part = folder.file("part.obj", plates()[3].obj);
-  const Outcome run = epura({"draw", part, "--projection", "top", "--dimensions", "hole-table", "--sheet", "110x110",
-                             "--scale", "1:1", "-o", "x.svg"},
-                            folder / "");
-  EXPECT_EQ(run.code, 0) << run.err;
-  EXPECT_TRUE(contains(run.err, "no room for the table of the holes")) << run.err;
+  const std::vector<std::string> sheet{part,      "--projection", "top",     "--dimensions", "hole-table",
+                                       "--sheet", "110x110",      "--scale", "1:1"};
+  const auto run = [&](std::vector<std::string> words) {
+    words.insert(words.begin() + 1, sheet.begin(), sheet.end());
+    return epura(words, folder / "");
+  };
+  const Outcome drawn = run({"draw", "-o", "x.svg"});
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_TRUE(contains(drawn.err, "the sheet has no room for the table of the holes")) << drawn.err;
+  const Outcome judged = run({"lint"});
+  EXPECT_EQ(judged.code, 1) << judged.out;
+  EXPECT_TRUE(contains(judged.out, "there is no room for the table of the holes")) << judged.out;
 }
 
 TEST_F(AutomaticDimensions, HolesBelongToAutomaticOnes) {
