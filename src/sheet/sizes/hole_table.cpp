@@ -68,9 +68,8 @@ void draw_origin(Layer& layer, const HoleTable& table, const drawing::ViewDrawin
     };
     int step = 0;
     while (step < origin_steps && is_on_lines(step)) ++step;
-    if (step == origin_steps) step = 0;
-    check(step < origin_steps, "an arm has one of its lengths");
-    const Vec2 letter = letter_at(step), tip = letter - 0.7 * style.text * along;
+    const Vec2 letter = letter_at(step % origin_steps), tip = letter - 0.7 * style.text * along;
+    check(glm::distance(letter, at) > radius, "letters of an origin are beside its circle");
     add_table_line(layer, at + aside, tip);
     layer.fills.push_back(arrow_at(tip, along, style));
     layer.texts.push_back({name, letter - Vec2(0, style.text / 2), style.text, 0, Align::middle, "dimension"});
