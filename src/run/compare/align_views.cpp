@@ -72,8 +72,13 @@ Vec2 common_shift(const Places& before, const Places& after) {
         vote.sum += (b - a) * length;
       }
   }
-  const auto best = std::max_element(votes.begin(), votes.end(),
-                                     [](const auto& a, const auto& b) { return a.second.length < b.second.length; });
+  // Of shifts with the same ink, the shortest: the sides of a rectangle look alike.
+  const auto key = [](const auto& vote) {
+    const auto [x, y] = vote.first;
+    return std::pair(std::llround(vote.second.length / step), -(x * x + y * y));
+  };
+  const auto best =
+      std::max_element(votes.begin(), votes.end(), [&](const auto& a, const auto& b) { return key(a) < key(b); });
   return best == votes.end() ? Vec2(0) : best->second.sum / best->second.length;
 }
 
@@ -106,6 +111,13 @@ struct Ends {
   Vec2 from, to;
   double length;
 };
+
+// Of a closed line, the place at which a circle of its length begins: chords may begin anywhere.
+Ends ends_of(const Difference& d) {
+  if (d.from != d.to) return {d.from, d.to, d.length};
+  const Vec2 begin = d.centre - Vec2(d.length / full_turn, 0);
+  return {begin, begin, d.length};
+}
 
 // How the ends of a line moved along one axis, in either order; nothing if they moved otherwise, or if the line changed
 // its form besides.
@@ -215,8 +227,7 @@ class Followers {
       const Difference& come = all_[*k];
       if (come.after != gone.before) continue;
       if (!is_round_ && gone.from == gone.to) continue;
-      const auto moves =
-          moves_along(axis_, {gone.from, gone.to, gone.length}, {come.from, come.to, come.length}, tolerance_);
+      const auto moves = moves_along(axis_, ends_of(gone), ends_of(come), tolerance_);
       if (!moves || (least && largest(*least) <= largest(*moves))) continue;
       nearest = k;
       least = moves;

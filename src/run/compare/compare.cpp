@@ -73,7 +73,7 @@ Comparison compare(const PictureFile& before, const PictureFile& after, double t
                 "compare JSON with JSON, and SVG or PDF with SVG or PDF");
   Comparison comparison;
   const bool any_pdf = before.is_pdf || after.is_pdf;
-  comparison.compares_texts = !any_pdf;
+  comparison.compares_texts = before.is_pdf == after.is_pdf;
   for (std::size_t i = 0; i < std::max(before.pages.size(), after.pages.size()); ++i)
     compare_page(page_of(before, i, any_pdf), page_of(after, i, any_pdf), tolerance,
                  before.is_in_place || after.is_in_place, comparison);

@@ -112,6 +112,7 @@ class Kind {
     Difference found{change, 0, line.view};
     found.from = line.from;
     found.to = line.to;
+    found.centre = line.centre;
     found.length = line.length;
     found.origin = line.origin;
     return found;

@@ -71,7 +71,7 @@ class TextPairs {
   }
 
  private:
-  static constexpr double rounding = 1e-3;  // mm: rounding of files and font sizes along a long text
+  static constexpr double rounding = 0.01;  // mm: of files, and of PDF's thousandths of letters a centimetre high
 
   [[nodiscard]] bool is_same_view(const PictureText& a, const PictureText& b) const {
     const std::string& view = before_.views[static_cast<std::size_t>(a.view)];

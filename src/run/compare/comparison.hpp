@@ -26,6 +26,7 @@ struct Difference {
   /// Ends of a line in the drawing that contains it, in the new one if it moved; box of a text; of a view, `to` is by
   /// how much it moved.
   Vec2 from{0, 0}, to{0, 0};
+  Vec2 centre{0, 0};     ///< of gravity of a line
   double length = 0;     ///< of a line, mm
   double distance = 0;   ///< by which it moved, mm
   std::string origin{};  ///< edges of the model, if known

@@ -21,6 +21,7 @@ struct DifferingLine {
   int look, other;
   Vec2 from, to;     ///< its ends; the same point twice if it is closed
   Vec2 min, max;     ///< its box
+  Vec2 centre;       ///< of gravity
   double length;     ///< mm
   std::string name;  ///< of its look
   std::string view;

@@ -101,6 +101,7 @@ std::string edges_of(const std::vector<InkPart>& parts, const Picture& picture) 
 void finish(DifferingLine& line, std::vector<Vec2> free, const Picture& picture) {
   line.min = Vec2(HUGE_VAL);
   line.max = Vec2(-HUGE_VAL);
+  line.centre = Vec2(0);
   line.length = 0;
   Vec2 first = line.parts.front().from;
   for (const InkPart& part : line.parts) {
@@ -109,8 +110,10 @@ void finish(DifferingLine& line, std::vector<Vec2> free, const Picture& picture)
       line.max = glm::max(line.max, p);
       if (comes_before(p, first)) first = p;
     }
+    line.centre += length_of(part) * (part.from + part.to) / 2.0;
     line.length += length_of(part);
   }
+  line.centre /= line.length;
   std::sort(free.begin(), free.end(), comes_before);
   line.from = free.empty() ? first : free.front();
   line.to = free.empty() ? first : free.back();

@@ -12,6 +12,7 @@
 #include "compare/json_document.hpp"
 #include "compare/picture_maker.hpp"
 #include "compare/read_pictures.hpp"
+#include "sheet/lettering.hpp"
 #include "sheet/paper.hpp"
 #include "sheet/view_lines.hpp"
 
@@ -126,6 +127,80 @@ void add_view(PictureMaker& picture, const Place& view) {
   }
 }
 
+// "B | 30 | 12": one text for what stands in one place.
+std::string joined(const Place& list, const char* between) {
+  std::string words;
+  for (unsigned i = 0; i < list.items(); ++i) words += (i > 0 ? between : "") + list.at(i).text();
+  return words;
+}
+
+// Whether a dimension measures from left to right, or in no such direction: its extension lines are then upright, and
+// end at the dimension line. (`points`: see annotations.schema.json.)
+bool is_across(const Place& dimension) {
+  const Place points = dimension.at("points");
+  const std::string type = dimension.at("type").text();
+  if ((type != "linear" && type != "ordinate") || points.items() < 3) return true;
+  const Vec2 extension = points.at(2).point() - points.at(1).point();
+  return std::abs(extension.y) >= std::abs(extension.x);
+}
+
+/// Adds the texts of a drawing's annotations.
+class AnnotationReader {
+ public:
+  explicit AnnotationReader(PictureMaker& picture) : picture_(picture) {}
+
+  void read(const Place& annotations) {
+    for_each(annotations, "dimensions", [&](const Place& one) { add_dimension(one); });
+    for_each(annotations, "notes",
+             [&](const Place& one) { add_at(one, one.at("at"), joined(one.at("lines"), " / ")); });
+    for_each(annotations, "balloons", [&](const Place& one) { add_at(one, one.at("at"), one.at("text").text()); });
+    for_each(annotations, "frames", [&](const Place& one) {
+      const Place rows = one.at("rows");
+      for (unsigned i = 0; i < rows.items(); ++i)
+        add_row(one, i, rows.at(i).at("characteristic").text() + " | " + joined(rows.at(i).at("cells"), " | "));
+    });
+    for_each(annotations, "tables", [&](const Place& one) {
+      const Place rows = one.at("rows");
+      for (unsigned i = 0; i < rows.items(); ++i) add_row(one, i, joined(rows.at(i), " | "));
+    });
+  }
+
+ private:
+  template <class Take>
+  static void for_each(const Place& annotations, const char* kind, const Take& take) {
+    if (!annotations.has(kind)) return;
+    const Place list = annotations.at(kind);
+    for (unsigned i = 0; i < list.items(); ++i) take(list.at(i));
+  }
+
+  void add_dimension(const Place& one) {
+    const std::string words = one.at("text").text();
+    const Vec2 box = box_of(words), turned = is_across(one) ? box : Vec2(box.y, box.x);
+    add(one, words, one.at("text_at").point() - turned / 2.0, turned);
+  }
+
+  [[nodiscard]] Vec2 box_of(const std::string& words) const { return {lettering_.width(words, height), height}; }
+
+  // Rows stand below each other.
+  void add_row(const Place& one, unsigned row, const std::string& words) {
+    add(one, words, one.at("at").point() - Vec2(0, row * 2 * height), box_of(words));
+  }
+
+  void add_at(const Place& one, const Place& at, const std::string& words) {
+    add(one, words, at.point(), box_of(words));
+  }
+
+  void add(const Place& one, const std::string& words, const Vec2& min, const Vec2& size) {
+    const int view = picture_.view(one.has("view") ? one.at("view").text() : "sheet");
+    if (!words.empty()) picture_.add(PictureText{sheet::written(words), min, min + size, view});
+  }
+
+  static constexpr double height = 3.5;  // of capitals, mm: that of dimensions on most sheets
+
+  PictureMaker& picture_;
+  sheet::Lettering lettering_{};
+};
+
 Place drawing_in(JsonDocument& document, std::string_view bytes, const std::string& where) {
   document.Parse<flags>(bytes.data(), bytes.size());
   if (document.HasParseError())
@@ -175,6 +250,7 @@ Picture picture_of_json(std::string_view bytes, const std::string& where) {
   for (const PictureLook& look : looks()) picture.look(look);
   const Place views = root.at("views");
   for (unsigned i = 0; i < views.items(); ++i) add_view(picture, views.at(i));
+  if (root.has("annotations")) AnnotationReader(picture).read(root.at("annotations"));
   return picture.finish();
 }
 

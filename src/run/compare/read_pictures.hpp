@@ -13,8 +13,8 @@
 namespace epura::compare {
 
 struct PictureFile {
-  bool is_json = false;  ///< views without their sheet: no frame, no texts, no hatching
-  bool is_pdf = false;   ///< texts are not read, and dash patterns are unknown
+  bool is_json = false;  ///< views without their sheet: no frame, no hatching, no lines of dimensions
+  bool is_pdf = false;   ///< texts are divided where their letters are apart, and dash patterns are unknown
   std::vector<Picture> pages{};
   bool is_in_place = false;  ///< what has not changed in space stands where it stands in the other file
   std::vector<report::RequirementRow> requirements{};  ///< of models that were drawn to be compared
@@ -33,7 +33,7 @@ PictureFile read_pictures(const std::filesystem::path& path);
 PictureFile pictures_of(const std::string& bytes, const std::filesystem::path& path);
 
 /// Drawing JSON, schema 1. `where` names it in errors. Visible lines count as wide, hidden ones as dashed and narrow;
-/// edges between smooth faces as narrow.
+/// edges between smooth faces as narrow. Texts are those of its annotations, as high as those of most dimensions.
 Picture picture_of_json(std::string_view bytes, const std::string& where);
 
 /// What models require, and where the drawing shows it, of drawing JSON, schema 1. Throws Error{input}.
@@ -43,7 +43,7 @@ std::vector<report::RequirementRow> requirements_of_json(std::string_view bytes,
 /// matter.
 Picture picture_of_svg(std::string_view bytes, const std::string& where);
 
-/// The pages of a PDF file, without texts. In layers of hidden lines, centre lines and neighbouring parts, all lines
+/// The pages of a PDF file. In layers of hidden lines, centre lines and neighbouring parts, all lines
 /// count as broken: short ones have no dashes.
 std::vector<Picture> pictures_of_pdf(const std::string& bytes, const std::string& where);
 

@@ -117,7 +117,7 @@ std::string format_comparison(const Comparison& comparison, double tolerance) {
   for (const RequirementChange& change : comparison.requirements) text += format_change(change) + "\n";
   if (!comparison.requirements.empty()) text += number_of_requirements(comparison) + "\n";
   for (const Difference& d : comparison.differences) text += format_difference(d, comparison.pages.size() > 1) + "\n";
-  if (!comparison.compares_texts) text += "texts of PDF files are not compared\n";
+  if (!comparison.compares_texts) text += "texts of a PDF file are compared with those of another one only\n";
   if (text.empty() || comparison.differences.empty())
     return text + "no differences above " + format_number(tolerance) + " mm\n";
   const std::array<int, kinds> count = counts(comparison);

@@ -16,6 +16,7 @@
 #include "errors.hpp"
 #include "output/format.hpp"
 #include "plate.hpp"
+#include "sheet/lettering.hpp"
 #include "sheet/paper.hpp"
 #include "sheet/view_lines.hpp"
 
@@ -32,23 +33,54 @@ TEST(Compare, SaysTheSameOfWaysToWriteAFile) {
     EXPECT_EQ(changes(compare::compare(as_svg(plate()), as_svg(plate(), options), 0.001)), "");
 }
 
-TEST(Compare, ReadsLinesAndAreasOfPdf) {
-  const auto as_pdf = [](const sheet::Sheet& sheet) {
-    return compare::PictureFile{false, true, compare::pictures_of_pdf(output::to_pdf({&sheet, &sheet}), "test.pdf")};
-  };
-  const compare::PictureFile before = as_pdf(plate());
+compare::PictureFile as_pdf(const std::vector<const sheet::Sheet*>& pages) {
+  return {false, true, compare::pictures_of_pdf(output::to_pdf(pages), "test.pdf")};
+}
+
+TEST(Compare, ReadsLinesAreasAndTextsOfPdf) {
+  const sheet::Sheet one = plate();
+  const compare::PictureFile before = as_pdf({&one, &one});
   ASSERT_EQ(before.pages.size(), 2U);
   sheet::Sheet edited = plate();
   edited.layers[hidden].strokes.pop_back();
   move(stroke(edited, visible, 1), {0, 1});
   edited.layers[dimension].fills.clear();
   edited.layers[dimension].texts.clear();
-  const compare::Comparison comparison = compare::compare(before, as_pdf(edited), 0.001);
-  EXPECT_FALSE(comparison.compares_texts);
-  const std::string of_page = "removed removed removed removed moved";
+  const compare::Comparison comparison = compare::compare(before, as_pdf({&edited, &edited}), 0.001);
+  EXPECT_TRUE(comparison.compares_texts);
+  const std::string of_page = "removed removed removed removed removed moved";
   EXPECT_EQ(changes(comparison), of_page + " " + of_page) << compare::format_comparison(comparison, 0.001);
   EXPECT_EQ(comparison.differences.back().page, 2);
-  EXPECT_EQ(changes(compare::compare(before, as_pdf(plate()), 0.001)), "");
+  EXPECT_EQ(changes(compare::compare(before, as_pdf({&one, &one}), 0.001)), "");
+}
+
+// In any direction, with characters of two fonts, brackets, and texts beside each other on one line.
+TEST(Compare, ReadsTextsOfPdfAsTheyWereWritten) {
+  sheet::Sheet sheet = plate();
+  std::vector<std::string> words = {"2× ⌀16 ↧9", "M8 (2×) \\ 60°", "A", "B", "Rz 6,3"};
+  sheet.layers[text].texts.clear();
+  sheet.layers[dimension].texts.clear();
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    sheet::Text& one = sheet.layers[text].texts.emplace_back();
+    one.text = words[i];
+    one.at = i == 3 ? Vec2(80, 42) : Vec2(50.3, 21 + 7 * static_cast<double>(i));
+    one.height = 3.5;
+    one.angle = i == 4 ? 90 : 0;
+  }
+  const compare::PictureFile read = as_pdf({&sheet});
+  std::vector<std::string> found;
+  for (const compare::PictureText& one : read.pages.at(0).texts) found.push_back(one.words);
+  std::sort(words.begin(), words.end());
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(found, words);
+  const auto last = std::find_if(read.pages[0].texts.begin(), read.pages[0].texts.end(),
+                                 [](const compare::PictureText& one) { return one.words == "Rz 6,3"; });
+  ASSERT_NE(last, read.pages[0].texts.end());
+  const double width = sheet::Lettering().width("Rz 6,3", 3.5);
+  EXPECT_NEAR(last->min.x, 50.3 - 3.5, 0.01);
+  EXPECT_NEAR(last->max.x, 50.3, 0.01);
+  EXPECT_NEAR(last->min.y, 49, 0.01);
+  EXPECT_NEAR(last->max.y, 49 + width, 0.02);
 }
 
 TEST(Compare, TakesChainLinesOfOneTypeForTheSame) {
@@ -206,6 +238,9 @@ TEST(Compare, TellsASizeAndCountsWhatFollows) {
   EXPECT_TRUE(contains(words, "text       front: width '80' -> '86' at (")) << words;
   EXPECT_TRUE(contains(words, "1 difference above 0.001 mm: 1 text; ")) << words;
   EXPECT_GE(comparison.followers, 5U);
+  const sheet::Sheet narrow = plate(), wide = wider_plate();
+  const compare::Comparison of_pdf = compare::compare(as_pdf({&narrow}), as_pdf({&wide}), 0.001);
+  EXPECT_EQ(changes(of_pdf), "text") << compare::format_comparison(of_pdf, 0.001);
   // A view that moved besides is told once more.
   sheet::Sheet moved = wider_plate();
   move_view(moved, {-3, 0});
@@ -244,6 +279,13 @@ TEST(Compare, TellsADiameterOnceWhereverItsNoteStands) {
   const std::string words = compare::format_comparison(comparison, 0.001);
   ASSERT_EQ(changes(comparison), "text") << words;
   EXPECT_TRUE(contains(words, "diameter '2× ⌀16 ↧9' -> '2× ⌀18 ↧9'")) << words;
+  // Chords that begin elsewhere.
+  sheet::Sheet chords = with_hole(8, "⌀16", {75, 110}), turned = with_hole(9, "⌀18", {75, 110});
+  stroke(chords, visible, 1).curves.clear();
+  stroke(turned, visible, 1).curves.clear();
+  for (Vec2& p : stroke(turned, visible, 1).points)
+    p = Vec2(60, 80) + std::cos(0.1) * (p - Vec2(60, 80)) + std::sin(0.1) * Vec2(80 - p.y, p.x - 60);
+  EXPECT_EQ(changes(compare::compare(as_svg(chords), as_svg(turned), 0.001)), "text");
   EXPECT_EQ(
       changes(compare::compare(as_svg(with_hole(8, "⌀16", {75, 110})), as_svg(with_hole(9, "⌀16", {75, 110})), 0.001)),
       "removed added")
@@ -373,6 +415,40 @@ TEST(CompareJson, DoesNotCountOrderCutsAndNumbers) {
             }),
             "");
   EXPECT_EQ(changes(compare::compare(as_json(json_of(triangle)), as_json(json_of(triangle, "renamed")), 0.001)), "");
+}
+
+// A block 60 wide in two views, of which the front view keeps its middle on the page as it becomes taller.
+std::string json_of_block(double height) {
+  sheet::Sheet sheet{420, 297, "block", {}};
+  const double low = 212 - height / 2;
+  const auto view = [](const char* name, const Vec2& min, const Vec2& max) {
+    drawing::ViewDrawing drawing{};
+    drawing.name = name;
+    const std::vector<Vec2> corners = {min, {max.x, min.y}, max, {min.x, max.y}};
+    for (std::size_t i = 0; i < 4; ++i)
+      drawing.segments.push_back(
+          {corners[i], corners[(i + 1) % 4], true, EdgeKind::contour, 0, {int(i), int(i) + 1}, -1, {0, 1}});
+    return drawing;
+  };
+  const std::vector<drawing::ViewDrawing> views = {view("front", {100, low}, {160, low + height}),
+                                                   view("top", {100, low - 80}, {160, low - 50})};
+  sheet.layers = {{"front/dimensions", {"dimension", 0.25}, {}}};
+  sheet::DimensionObject object{sheet::DimensionShape::linear, {{160, low}, {160, low + height}, {170, low + height}}};
+  object.angle = 90;
+  object.value = height;
+  object.text = format_number(height);
+  object.text_middle = {168, low + height / 2};
+  sheet.layers[0].dimensions = {object};
+  return output::to_json(sheet, 1, views, {});
+}
+
+TEST(CompareJson, TellsASizeAndCountsWhatFollows) {
+  const compare::Comparison comparison =
+      compare::compare(as_json(json_of_block(40)), as_json(json_of_block(42)), 0.001);
+  const std::string words = compare::format_comparison(comparison, 0.001);
+  EXPECT_TRUE(contains(words, "moved      front, top: whole views, by (0, -1) mm\n")) << words;
+  EXPECT_TRUE(contains(words, "text       front: height '40' -> '42' at (")) << words;
+  EXPECT_TRUE(contains(words, "2 differences above 0.001 mm: 1 moved, 1 text; ")) << words;
 }
 
 TEST(CompareJson, TellsLinesApart) {

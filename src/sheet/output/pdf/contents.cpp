@@ -3,8 +3,11 @@
 
 #include <charconv>
 #include <exception>
+#include <map>
+#include <optional>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFObjectHandle.hh>
+#include <qpdf/QUtil.hh>
 #include <set>
 #include <utility>
 
@@ -23,6 +26,55 @@ double number_of(Handle object) {
   double value = 0;
   std::from_chars(text.data(), text.data() + text.size(), value);
   return value;
+}
+
+// The widths of glyphs by their codes: one list for simple fonts; for others, lists that each begin at a code. ISO
+// 32000-1, 9.6.2 and 9.7.4.3.
+std::map<std::size_t, double> widths_of(Handle font, bool is_simple) {
+  std::map<std::size_t, double> widths;
+  const auto add = [&widths](std::size_t first, Handle list) {
+    for (int i = 0; list.isArray() && i < list.getArrayNItems(); ++i)
+      widths[first + static_cast<std::size_t>(i)] = number_of(list.getArrayItem(i));
+  };
+  if (is_simple) {
+    add(static_cast<std::size_t>(number_of(font.getKey("/FirstChar"))), font.getKey("/Widths"));
+    return widths;
+  }
+  Handle lists = font.getKey("/DescendantFonts").getArrayItem(0).getKey("/W");
+  for (int i = 0; lists.isArray() && i + 1 < lists.getArrayNItems(); i += 2)
+    add(static_cast<std::size_t>(number_of(lists.getArrayItem(i))), lists.getArrayItem(i + 1));
+  return widths;
+}
+
+// The next <...> of a map of characters, as bytes; nothing after the last one.
+std::optional<std::string> next_code(const std::string& map, std::size_t& at) {
+  const std::size_t begin = map.find('<', at), end = map.find('>', begin);
+  if (end == std::string::npos) return std::nullopt;
+  at = end + 1;
+  return QUtil::hex_decode(map.substr(begin + 1, end - begin - 1));
+}
+
+// Each glyph of a font has its line between beginbfchar and endbfchar. ISO 32000-1, 9.10.3.
+PdfFont font_of(Handle font, UnpackRoom& room) {
+  const bool is_simple = !font.getKey("/Subtype").isNameAndEquals("/Type0");
+  PdfFont read;
+  read.bytes = is_simple ? 1 : 2;
+  if (!font.getKey("/ToUnicode").isStream()) return read;
+  const std::map<std::size_t, double> widths = widths_of(font, is_simple);
+  const std::string map = room.unpack(font.getKey("/ToUnicode"));
+  for (std::size_t begin = map.find("beginbfchar"); begin != std::string::npos;
+       begin = map.find("beginbfchar", begin + 1)) {
+    const std::string lines = map.substr(begin, map.find("endbfchar", begin) - begin);
+    std::size_t at = 0;
+    while (const std::optional<std::string> code = next_code(lines, at)) {
+      std::size_t number = 0;
+      for (const char byte : *code) number = 256 * number + static_cast<unsigned char>(byte);
+      const auto width = widths.find(number);
+      read.glyphs[*code] = {QUtil::utf16_to_utf8(next_code(lines, at).value_or("")),
+                            width == widths.end() ? 0 : width->second};
+    }
+  }
+  return read;
 }
 
 PdfContent content_of(Handle page, UnpackRoom& room) {
@@ -45,6 +97,9 @@ PdfContent content_of(Handle page, UnpackRoom& room) {
     content.layers[name] = layers.getKey(name).getKey("/Name").getUTF8Value();
   for (const std::string& name : streams.isArray() ? std::set<std::string>() : forms.getKeys())
     content.forms[name] = room.unpack(forms.getKey(name));
+  Handle fonts = resources.getKey("/Font");
+  for (const std::string& name : fonts.isDictionary() ? fonts.getKeys() : std::set<std::string>())
+    content.fonts[name] = font_of(fonts.getKey(name), room);
   return content;
 }
 
