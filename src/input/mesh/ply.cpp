@@ -48,6 +48,8 @@ class BinarySource {
     }
   }
 
+  static constexpr bool is_binary = true;
+
   void begin_property(const PlyProperty&) const {}
   void end_element() const {}
   [[nodiscard]] static std::size_t min_bytes(PlyType type) { return size_of(type); }
@@ -78,6 +80,8 @@ class TextSource {
  public:
   TextSource(std::string_view text, std::string_view name, std::size_t first_line)
       : text_(text, name, first_line), name_(name) {}
+
+  static constexpr bool is_binary = false;
 
   void begin_property(const PlyProperty& property) { property_ = &property; }
 
@@ -215,11 +219,36 @@ class PlyReader {
     }
     soup_.points.reserve(soup_.points.size() + static_cast<std::size_t>(element.count));
     std::array<double, 4> point{};  // the last one receives unused values
+    std::size_t row = 0, last = 0;  // number of rows, and of those up to the last that is not all zeros
     read_rows(
-        element, [&](std::size_t p, double value) { point[axis[p]] = value; },
+        element,
+        [&](std::size_t p, double value) {
+          point[axis[p]] = value;
+          if (value != 0) last = row + 1;
+        },
         [&](std::size_t p) {
-          if (p + 1 == axis.size()) soup_.points.push_back({point[0], point[1], point[2]});
+          if (p + 1 < axis.size()) return;
+          soup_.points.push_back({point[0], point[1], point[2]});
+          ++row;
         });
+    if (Source::is_binary) expect_normals(element, last);
+  }
+
+  // Without the normals that a writer announces the vertices move up, and leave zeros behind them (vtk.js).
+  void expect_normals(const PlyElement& element, std::size_t rows) const {
+    std::size_t row = 0, normals = 0;
+    for (const PlyProperty& property : element.properties) {
+      if (property.count_type) return;
+      row += size_of(property.type);
+      if (property.name == "nx" || property.name == "ny" || property.name == "nz") normals += size_of(property.type);
+    }
+    const auto announced = static_cast<std::size_t>(element.count);
+    const std::size_t written = (announced * (row - normals) + row - 1) / row;
+    if (normals == 0 || rows > written || rows + 2 > announced) return;
+    TextCursor("", name_, element.line)
+        .fail("the header announces normals that are not there: the last " + std::to_string(announced - rows) + " of " +
+                  std::to_string(announced) + " vertices are nothing but zeros",
+              "export the model with normals, or in another format");
   }
 
   void read_faces(const PlyElement& element) {

@@ -106,6 +106,36 @@ TEST(Ply, HeaderWithCarriageReturnsBeforeDataThatBeginsWithALineFeed) {
   EXPECT_EQ(soup_of(bytes).points, (mesh::Points{{10, 1, 2}}));
 }
 
+// As vtk.js writes triangles without normals: the vertices move up, and zeros follow.
+TEST(Ply, NormalsThatAreAnnouncedMustBeThere) {
+  const auto written = [](bool has_normals, bool is_black) {
+    std::string bytes =
+        "ply\nformat binary_little_endian 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+        "property float z\nproperty float nx\nproperty float ny\nproperty float nz\n"
+        "property uchar red\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n";
+    const std::size_t end = bytes.size() + 6 * 25;
+    for (int i = 0; i < 6; ++i) {
+      for (const bool place : {i % 3 == 1, i % 3 == 2, i >= 3}) append(bytes, place ? 1.f : 0.f);
+      for (const float normal : {0.f, 0.f, 1.f})
+        if (has_normals) append(bytes, normal);
+      append(bytes, static_cast<std::uint8_t>(is_black ? 0 : 255));
+    }
+    bytes.resize(end, '\0');
+    for (int face = 0; face < 2; ++face) {
+      append(bytes, std::uint8_t{3});
+      for (int i = 0; i < 3; ++i) append(bytes, std::int32_t{3 * face + i});
+    }
+    return bytes;
+  };
+  for (const bool is_black : {false, true}) {
+    EXPECT_EQ(soup_of(written(true, is_black)).points.back(), (mesh::Points::value_type{0, 1, 1}));
+    EXPECT_EQ(
+        words_of_error([&] { soup_of(written(false, is_black)); }),
+        "m.ply:3 | m.ply:3: the header announces normals that are not there: the last 2 of 6 vertices are nothing "
+        "but zeros | export the model with normals, or in another format");
+  }
+}
+
 TEST(Ply, StripsTurnEverySecondTriangle) {
   const mesh::Soup soup = soup_of(
       "ply\nformat ascii 1.0\nelement vertex 5\nproperty int x\nproperty int y\nproperty int z\n"
