@@ -13,15 +13,15 @@
 #include <BRepAdaptor_Curve.hxx>
 #include <BRepAdaptor_Surface.hxx>
 #include <BRepMesh_IncrementalMesh.hxx>
-#include <BRepTools.hxx>
 #include <BRep_Tool.hxx>
 #include <GCPnts_TangentialDeflection.hxx>
 #include <Geom2d_Curve.hxx>
+#include <Geom_Surface.hxx>
 #include <Poly_PolygonOnTriangulation.hxx>
 #include <Poly_Triangulation.hxx>
 #include <TopExp.hxx>
 #include <TopExp_Explorer.hxx>
-#include <TopTools_IndexedDataMapOfShapeListOfShape.hxx>
+#include <TopLoc_Location.hxx>
 #include <TopTools_IndexedMapOfShape.hxx>
 #include <TopoDS.hxx>
 #include <TopoDS_Edge.hxx>
@@ -37,6 +37,7 @@
 #include <gp_Pln.hxx>
 #include <gp_Sphere.hxx>
 #include <gp_Torus.hxx>
+#include <utility>
 #include <vector>
 
 namespace epura {
@@ -54,12 +55,7 @@ class OpenCascadeShape {
       : sink_(sink), shape_(shape), deflection_(deflection) {}
 
   AddedShape add() {
-    if (!BRepTools::Triangulation(shape_, deflection_, false))
-      BRepMesh_IncrementalMesh(shape_, deflection_, false, max_turn, false);
-    TopExp::MapShapes(shape_, TopAbs_VERTEX, vertices_);
-    TopExp::MapShapesAndAncestors(shape_, TopAbs_EDGE, TopAbs_FACE, faces_of_edge_);
-    vertex_ids_.assign(static_cast<std::size_t>(vertices_.Extent()), none);
-    edge_ids_.resize(static_cast<std::size_t>(faces_of_edge_.Extent()));
+    if (!has_facets()) BRepMesh_IncrementalMesh(shape_, deflection_, false, max_turn, false);
     sink_.shape(sink_.host, "");
     TopTools_IndexedMapOfShape solids;
     TopExp::MapShapes(shape_, TopAbs_SOLID, solids);
@@ -68,7 +64,11 @@ class OpenCascadeShape {
       add_faces(solids(i));
     }
     add_faces(shape_);
-    for (int i = 1; i <= faces_of_edge_.Extent(); ++i) add_edge(i);
+    for (std::size_t i = 0; i < uses_.size(); ++i) add_edge(TopoDS::Edge(edges_(static_cast<int>(i) + 1)), uses_[i]);
+    for (TopExp_Explorer at(shape_, TopAbs_EDGE, TopAbs_FACE); at.More(); at.Next()) {
+      const int known = edges_.Extent();
+      if (edges_.Add(at.Current()) > known) add_wire(TopoDS::Edge(at.Current()));
+    }
     return added_;
   }
 
@@ -79,26 +79,45 @@ class OpenCascadeShape {
   static constexpr double degrees = 57.29577951308232;
   using Ids = std::vector<std::uint32_t>;
 
+  /// What is known of an edge of a face.
+  struct Use {
+    Ids ids;                         ///< of the points along it, which its faces share
+    std::array<int, 2> faces{0, 0};  ///< that it bounds, from 1; a seam bounds one twice
+    int count = 0;                   ///< of such faces, which may be more
+  };
+
+  bool has_facets() const {
+    TopLoc_Location location;
+    for (TopExp_Explorer at(shape_, TopAbs_FACE); at.More(); at.Next()) {
+      const Handle(Poly_Triangulation)& facets = BRep_Tool::Triangulation(TopoDS::Face(at.Current()), location);
+      if (facets.IsNull() || facets->Deflection() > deflection_) return false;
+    }
+    return true;
+  }
+
   std::uint32_t add_point(const gp_Pnt& p) {
-    const double xyz[]{p.X(), p.Y(), p.Z()};
-    sink_.points(sink_.host, 1, xyz);
+    coordinates_.insert(coordinates_.end(), {p.X(), p.Y(), p.Z()});
     return points_++;
   }
 
-  std::uint32_t id_of(const TopoDS_Vertex& vertex) {
-    std::uint32_t& id = vertex_ids_[static_cast<std::size_t>(vertices_.FindIndex(vertex)) - 1];
-    if (id == none) id = add_point(BRep_Tool::Pnt(vertex));
-    return id;
+  void hand_over_points() {
+    sink_.points(sink_.host, coordinates_.size() / 3, coordinates_.data());
+    coordinates_.clear();
   }
 
-  // The points along an edge, which its faces share, from its first vertex to its last one.
-  Ids& ids_along(const TopoDS_Edge& edge, const Poly_PolygonOnTriangulation& polygon, const Poly_Triangulation& facets,
-                 const gp_Trsf& place) {
-    Ids& ids = edge_ids_[static_cast<std::size_t>(faces_of_edge_.FindIndex(edge)) - 1];
-    if (!ids.empty()) return ids;
+  std::uint32_t id_of(const TopoDS_Vertex& vertex) {
+    const auto index = static_cast<std::size_t>(vertices_.Add(vertex));
+    if (index > vertex_ids_.size()) vertex_ids_.push_back(add_point(BRep_Tool::Pnt(vertex)));
+    return vertex_ids_[index - 1];
+  }
+
+  // From the first vertex of the edge to its last one.
+  Ids ids_along(const TopoDS_Edge& edge, const Poly_PolygonOnTriangulation& polygon, const Poly_Triangulation& facets,
+                const gp_Trsf& place) {
     const auto forward = TopoDS::Edge(edge.Oriented(TopAbs_FORWARD));
     const TopoDS_Vertex first = TopExp::FirstVertex(forward), last = TopExp::LastVertex(forward);
     const int count = polygon.NbNodes();
+    Ids ids;
     for (int i = 1; i <= count; ++i) {
       if (i == 1 && !first.IsNull())
         ids.push_back(id_of(first));
@@ -121,14 +140,15 @@ class OpenCascadeShape {
     const epura_face surface = told_of(surfaces_.back());
     sink_.face(sink_.host, &surface);
     TopLoc_Location location;
-    const Handle(Poly_Triangulation) facets = BRep_Tool::Triangulation(face, location);
-    if (facets.IsNull()) return;
-    const gp_Trsf place = location.Transformation();
-    Ids ids(static_cast<std::size_t>(facets->NbNodes()), none);
+    const Handle(Poly_Triangulation)& facets = BRep_Tool::Triangulation(face, location);
+    Ids ids(facets.IsNull() ? 0 : static_cast<std::size_t>(facets->NbNodes()), none);
     for (TopExp_Explorer at(face, TopAbs_EDGE); at.More(); at.Next())
       share_points(TopoDS::Edge(at.Current()), facets, location, ids);
+    if (facets.IsNull()) return;
+    const gp_Trsf place = location.Transformation();
     for (std::size_t i = 0; i < ids.size(); ++i)
       if (ids[i] == none) ids[i] = add_point(facets->Node(static_cast<int>(i) + 1).Transformed(place));
+    hand_over_points();
     const bool turned = (face.Orientation() == TopAbs_REVERSED) != place.IsNegative();
     Ids corners;
     std::vector<std::uint64_t> ends;
@@ -144,18 +164,32 @@ class OpenCascadeShape {
     sink_.polygons(sink_.host, ends.size(), ends.data(), corners.data());
   }
 
+  /// An edge and the place of its face where Open CASCADE looks for what both have in common: relative to each other.
+  /// Its products of places are most of the time of a part that is placed somewhere, and here are mostly one.
+  static std::pair<TopoDS_Edge, TopLoc_Location> relative(const TopoDS_Edge& edge, const TopLoc_Location& place) {
+    if (edge.Location() != place) return {edge, place};
+    return {TopoDS::Edge(edge.Located(TopLoc_Location())), TopLoc_Location()};
+  }
+
   void share_points(const TopoDS_Edge& edge, const Handle(Poly_Triangulation) & facets, const TopLoc_Location& location,
                     Ids& ids) {
-    const Handle(Poly_PolygonOnTriangulation) polygon = BRep_Tool::PolygonOnTriangulation(edge, facets, location);
+    const auto index = static_cast<std::size_t>(edges_.Add(edge)) - 1;
+    if (index == uses_.size()) uses_.emplace_back();
+    Use& use = uses_[index];
+    if (use.count < 2) use.faces[static_cast<std::size_t>(use.count)] = static_cast<int>(added_.faces.size());
+    ++use.count;
+    if (facets.IsNull()) return;
+    const auto [alone, place] = relative(edge, location);
+    const Handle(Poly_PolygonOnTriangulation)& polygon = BRep_Tool::PolygonOnTriangulation(alone, facets, place);
     if (polygon.IsNull()) return;
     const auto id_at = [&](int i) -> std::uint32_t& { return ids[static_cast<std::size_t>(polygon->Node(i)) - 1]; };
     if (BRep_Tool::Degenerated(edge)) {
       for (int i = 1; i <= polygon->NbNodes(); ++i) id_at(i) = id_of(TopExp::FirstVertex(edge));
       return;
     }
-    const Ids& along = ids_along(edge, *polygon, *facets, location.Transformation());
-    if (along.size() != static_cast<std::size_t>(polygon->NbNodes())) return;  // meshed apart: a crack
-    for (int i = 1; i <= polygon->NbNodes(); ++i) id_at(i) = along[static_cast<std::size_t>(i) - 1];
+    if (use.ids.empty()) use.ids = ids_along(edge, *polygon, *facets, location.Transformation());
+    if (use.ids.size() != static_cast<std::size_t>(polygon->NbNodes())) return;  // meshed apart: a crack
+    for (int i = 1; i <= polygon->NbNodes(); ++i) id_at(i) = use.ids[static_cast<std::size_t>(i) - 1];
   }
 
   static void put(double (&to)[3], const gp_XYZ& from) {
@@ -197,24 +231,29 @@ class OpenCascadeShape {
 
   using Normals = std::array<gp_Vec, 3>;
 
-  // At three places along an edge; false if there is none. A plane needs no curve, which Open CASCADE would have to
-  // find.
-  bool find_normals(const TopoDS_Edge& edge, const TopoDS_Face& face, Normals& normals) const {
-    const BRepAdaptor_Surface& surface = surfaces_[static_cast<std::size_t>(known_faces_.FindIndex(face)) - 1];
+  // At three places along an edge of a face by its number; false if there is none. A plane needs no curve, which Open
+  // CASCADE would have to find.
+  bool find_normals(const TopoDS_Edge& edge, int number, Normals& normals) const {
+    const auto i = static_cast<std::size_t>(number) - 1;
+    const TopoDS_Face& face = added_.faces[i];
+    const BRepAdaptor_Surface& surface = surfaces_[i];
     if (surface.GetType() == GeomAbs_Plane) {
       const gp_Pln plane = surface.Plane();
       normals.fill(gp_Vec(plane.Position().XDirection()).Crossed(plane.Position().YDirection()));
     } else {
       double from = 0, to = 0;
-      const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(edge, face, from, to);
+      TopLoc_Location location;
+      const Handle(Geom_Surface)& form = BRep_Tool::Surface(face, location);
+      const auto [alone, place] = relative(edge, location);
+      const Handle(Geom2d_Curve) curve = BRep_Tool::CurveOnSurface(alone, form, place, from, to);
       if (curve.IsNull()) return false;
-      for (std::size_t i = 0; i < normals.size(); ++i) {
-        const gp_Pnt2d at = curve->Value(from + 0.25 * static_cast<double>(i + 1) * (to - from));
+      for (std::size_t n = 0; n < normals.size(); ++n) {
+        const gp_Pnt2d at = curve->Value(from + 0.25 * static_cast<double>(n + 1) * (to - from));
         gp_Pnt point;
         gp_Vec u, v;
         surface.D1(at.X(), at.Y(), point, u, v);
-        normals[i] = u.Crossed(v);
-        if (normals[i].SquareMagnitude() == 0) return false;
+        normals[n] = u.Crossed(v);
+        if (normals[n].SquareMagnitude() == 0) return false;
       }
     }
     if (face.Orientation() == TopAbs_REVERSED)
@@ -223,33 +262,30 @@ class OpenCascadeShape {
   }
 
   // Radians between the normals of both faces, where they differ most.
-  double angle_at(const TopoDS_Edge& edge, const TopoDS_Face& one, const TopoDS_Face& other) const {
+  double angle_at(const TopoDS_Edge& edge, const std::array<int, 2>& faces) const {
     Normals normals, others;
-    if (!find_normals(edge, one, normals) || !find_normals(edge, other, others)) return std::nan("");
+    if (!find_normals(edge, faces[0], normals) || !find_normals(edge, faces[1], others)) return std::nan("");
     double largest = 0;
     for (std::size_t i = 0; i < normals.size(); ++i) largest = std::max(largest, normals[i].Angle(others[i]));
     return largest;
   }
 
-  void add_edge(int number) {
-    const TopoDS_Edge edge = TopoDS::Edge(faces_of_edge_.FindKey(number));
-    if (BRep_Tool::Degenerated(edge)) return;
-    const TopTools_ListOfShape& faces = faces_of_edge_(number);
-    if (faces.IsEmpty()) return add_wire(edge);
-    const Ids& ids = edge_ids_[static_cast<std::size_t>(number) - 1];
-    if (ids.size() < 2 || faces.Extent() != 2 || faces.First().IsSame(faces.Last())) return;  // a border or a seam
-    const double angle = angle_at(edge, TopoDS::Face(faces.First()), TopoDS::Face(faces.Last()));
+  void add_edge(const TopoDS_Edge& edge, const Use& use) {
+    if (use.ids.size() < 2 || use.count != 2 || use.faces[0] == use.faces[1]) return;  // a border or a seam
+    const double angle = angle_at(edge, use.faces);
     const std::uint32_t kind = angle <= smooth ? EPURA_TANGENT : EPURA_SHARP;
-    const epura_edge told{sizeof told, kind, angle * degrees, ids.size(), ids.data()};
+    const epura_edge told{sizeof told, kind, angle * degrees, use.ids.size(), use.ids.data()};
     sink_.edge(sink_.host, &told);
     added_.edges.push_back(edge);
   }
 
   void add_wire(const TopoDS_Edge& edge) {
+    if (BRep_Tool::Degenerated(edge)) return;
     const BRepAdaptor_Curve curve(edge);
     const GCPnts_TangentialDeflection along(curve, max_turn, deflection_);
     Ids ids;
     for (int i = 1; i <= along.NbPoints(); ++i) ids.push_back(add_point(along.Value(i)));
+    hand_over_points();
     if (ids.size() < 2) return;
     const epura_edge told{sizeof told, EPURA_WIRE, std::nan(""), ids.size(), ids.data()};
     sink_.edge(sink_.host, &told);
@@ -259,11 +295,11 @@ class OpenCascadeShape {
   const epura_sink& sink_;
   const TopoDS_Shape& shape_;
   double deflection_;
-  TopTools_IndexedMapOfShape vertices_, known_faces_;
-  TopTools_IndexedDataMapOfShapeListOfShape faces_of_edge_;
+  TopTools_IndexedMapOfShape vertices_, edges_, known_faces_;
   Ids vertex_ids_;
-  std::vector<Ids> edge_ids_;
+  std::vector<Use> uses_;                     ///< of edges of faces
   std::deque<BRepAdaptor_Surface> surfaces_;  ///< of added_.faces
+  std::vector<double> coordinates_;           ///< of points that are not handed over yet
   std::uint32_t points_ = 0;
   AddedShape added_;
 };
