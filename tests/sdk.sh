@@ -124,6 +124,9 @@ fi
 # Hidden lines in memory, from a program in C.
 if make_it "$samples/hlr" curves; then
   { curves/curves >curves.svg && [ "$(grep -c polyline curves.svg)" -gt 10 ]; } || complain "curves are not drawn"
+  # The handle is seen over the cylinder, and hidden behind the plate.
+  { [ "$(grep -c '<path.*"0.2" d="M.*C' curves.svg)" -ge 1 ] && grep -q '<path.*dasharray.* d="M.*C' curves.svg; } ||
+    complain "the handle is no spline, or all of it is seen"
 fi
 
 # By hand, with the flags of pkg-config, and by the other compiler.

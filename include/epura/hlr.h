@@ -61,10 +61,10 @@ EPURA_EXPORT epura_hlr_model* epura_hlr_model_new(uint32_t version);
 /* Takes back all memory of a model at once. Its drawings remain. May be NULL. */
 EPURA_EXPORT void epura_hlr_model_free(epura_hlr_model* model);
 
-/* The calls that fill a model, as those of an importer: shapes with points, faces, polygons and edges, and nodes with
- * places of shapes. `unit`, `up`, `colour`, `note`, `progress` and `requirement` have no effect: lengths and axes are
- * those of the points. A call returns 0; after a wrong one, all others and epura_hlr_finish fail, and so do calls after
- * that. Valid as long as the model. NULL for NULL. */
+/* The calls that fill a model, as those of an importer: shapes with points, faces, polygons, edges and their splines,
+ * and nodes with places of shapes. `unit`, `up`, `colour`, `note`, `progress` and `requirement` have no effect: lengths
+ * and axes are those of the points. A call returns 0; after a wrong one, all others and epura_hlr_finish fail, and so
+ * do calls after that. Valid as long as the model. NULL for NULL. */
 EPURA_EXPORT const epura_sink* epura_hlr_sink(epura_hlr_model* model);
 
 /* Exact surfaces and edges, so that facets may be coarse: those of faces that are not planes are divided until they are
@@ -125,7 +125,7 @@ typedef struct epura_hlr_request {
   int (*progress)(void* host, const char* stage, double done);
   void* host;           /* its first argument */
   uint32_t finds_error; /* not 0: epura_hlr_result::error is found, which takes time */
-  uint32_t unused;
+  uint32_t all_types;   /* not 0: curves may be of all types; 0: polylines, and ellipses if `arcs` is given */
 } epura_hlr_request;
 
 /* A face of the model. Numbers are those of the calls of the sink, from 0; EPURA_NONE: none. Without nodes, `node` is
@@ -134,21 +134,31 @@ typedef struct epura_hlr_face {
   uint32_t node, shape, face, body;
 } epura_hlr_face;
 
-enum {
-  EPURA_HLR_POLYLINE = 0,
-  EPURA_HLR_ELLIPSE = 1 /* an arc of a circle or of an ellipse, or all of it */
-};
+/* What a curve is, or a part of. Only with `all_types`, a polyline of two points is a line, an ellipse whose axes are
+ * equal a circle, and the picture of an edge with a spline this spline, unless poles are behind the viewer. */
+enum { EPURA_HLR_POLYLINE = 0, EPURA_HLR_ELLIPSE = 1, EPURA_HLR_LINE = 2, EPURA_HLR_CIRCLE = 3, EPURA_HLR_SPLINE = 4 };
+
+/* The picture of a spline, with the parameters of the edge. */
+typedef struct epura_hlr_spline {
+  uint32_t size; /* sizeof(epura_hlr_spline) of the library */
+  uint32_t degree;
+  uint64_t pole_count;
+  const double* poles;   /* two numbers each */
+  const double* weights; /* of the poles, positive; NULL: all are equal */
+  const double* knots;   /* pole_count + degree + 1 numbers */
+} epura_hlr_spline;
 
 /* A line of one look and one source. */
 typedef struct epura_hlr_curve {
-  uint32_t type;                /* EPURA_HLR_POLYLINE or EPURA_HLR_ELLIPSE */
+  uint32_t type;                /* EPURA_HLR_POLYLINE ... */
   uint32_t kind;                /* EPURA_HLR_CONTOUR ... */
   uint32_t visible;             /* 0: hidden */
   uint32_t edge;                /* number of the edge of faces[0].shape, from 0 in the order of calls; EPURA_NONE */
   epura_hlr_face faces[2];      /* that meet in it, cross in it, or of which it is a contour or boundary (the first) */
-  uint64_t first, count;        /* its points; of an arc, points on it */
+  uint64_t first, count;        /* its points; of an arc or a spline, points on it */
   double centre[2], u[2], v[2]; /* of an arc: centre + cos(a) u + sin(a) v ... */
-  double from, to;              /* ... for a between these, radians */
+  double from, to; /* ... for a between these, radians; of a spline, parameters of its first and last point */
+  const epura_hlr_spline* spline; /* of a spline, which several curves may share; else NULL */
 } epura_hlr_curve;
 
 typedef struct epura_hlr_result {

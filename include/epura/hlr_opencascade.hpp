@@ -32,6 +32,7 @@
 #include <cmath>
 #include <cstdint>
 #include <deque>
+#include <epura/opencascade_spline.hpp>
 #include <gp_Cone.hxx>
 #include <gp_Cylinder.hxx>
 #include <gp_Pln.hxx>
@@ -82,6 +83,7 @@ class OpenCascadeShape {
   /// What is known of an edge of a face.
   struct Use {
     Ids ids;                         ///< of the points along it, which its faces share
+    std::vector<double> parameters;  ///< of these, on its curve
     std::array<int, 2> faces{0, 0};  ///< that it bounds, from 1; a seam bounds one twice
     int count = 0;                   ///< of such faces, which may be more
   };
@@ -187,7 +189,10 @@ class OpenCascadeShape {
       for (int i = 1; i <= polygon->NbNodes(); ++i) id_at(i) = id_of(TopExp::FirstVertex(edge));
       return;
     }
-    if (use.ids.empty()) use.ids = ids_along(edge, *polygon, *facets, location.Transformation());
+    if (use.ids.empty()) {
+      use.ids = ids_along(edge, *polygon, *facets, location.Transformation());
+      if (polygon->HasParameters()) use.parameters.assign(polygon->Parameters()->begin(), polygon->Parameters()->end());
+    }
     if (use.ids.size() != static_cast<std::size_t>(polygon->NbNodes())) return;  // meshed apart: a crack
     for (int i = 1; i <= polygon->NbNodes(); ++i) id_at(i) = use.ids[static_cast<std::size_t>(i) - 1];
   }
@@ -276,7 +281,14 @@ class OpenCascadeShape {
     const std::uint32_t kind = angle <= smooth ? EPURA_TANGENT : EPURA_SHARP;
     const epura_edge told{sizeof told, kind, angle * degrees, use.ids.size(), use.ids.data()};
     sink_.edge(sink_.host, &told);
+    add_spline(edge, use.parameters);
     added_.edges.push_back(edge);
+  }
+
+  void add_spline(const TopoDS_Edge& edge, std::vector<double> parameters) {
+    const OpenCascadeSpline spline(edge, std::move(parameters));
+    epura_spline told;
+    if (spline.told(told)) sink_.spline(sink_.host, &told);
   }
 
   void add_wire(const TopoDS_Edge& edge) {
@@ -284,11 +296,16 @@ class OpenCascadeShape {
     const BRepAdaptor_Curve curve(edge);
     const GCPnts_TangentialDeflection along(curve, max_turn, deflection_);
     Ids ids;
-    for (int i = 1; i <= along.NbPoints(); ++i) ids.push_back(add_point(along.Value(i)));
+    std::vector<double> parameters;
+    for (int i = 1; i <= along.NbPoints(); ++i) {
+      ids.push_back(add_point(along.Value(i)));
+      parameters.push_back(along.Parameter(i));
+    }
     hand_over_points();
     if (ids.size() < 2) return;
     const epura_edge told{sizeof told, EPURA_WIRE, std::nan(""), ids.size(), ids.data()};
     sink_.edge(sink_.host, &told);
+    add_spline(edge, std::move(parameters));
     added_.wires.push_back(edge);
   }
 

@@ -66,6 +66,17 @@ typedef struct epura_edge {
   const uint32_t* vertices; /* numbers of points of the shape; a closed edge repeats the first one at its end */
 } epura_edge;
 
+/* The B-spline along which an edge or a wire runs: rational if it has weights, never periodic. */
+typedef struct epura_spline {
+  uint32_t size;            /* sizeof(epura_spline) */
+  uint32_t degree;          /* 1 to 25 */
+  uint64_t pole_count;      /* more than the degree */
+  const double* poles;      /* three numbers each */
+  const double* weights;    /* of the poles, positive; NULL: all are 1 */
+  const double* knots;      /* pole_count + degree + 1 numbers that do not fall, each as often as it counts */
+  const double* parameters; /* of the points of the edge on it; all rise, or all fall */
+} epura_spline;
+
 /* A node of the tree. */
 typedef struct epura_node {
   uint32_t size;        /* sizeof(epura_node) */
@@ -182,6 +193,8 @@ typedef struct epura_sink {
   int (*saved_view)(void* host, const epura_saved_view* view);
   /* By which dimensions and tolerances are to be understood: "ASME Y14.5-2018". Optional, likewise. */
   int (*standard)(void* host, const char* name);
+  /* The curve of the edge or wire that was handed over last. Optional, likewise; NULL: the host has no use for it. */
+  int (*spline)(void* host, const epura_spline* spline);
 } epura_sink;
 
 /* The file to read, and the required precision. */

@@ -125,6 +125,15 @@ class Sink {
     if (sink_.size >= offsetof(epura_sink, standard) + sizeof sink_.standard)
       expect(sink_.standard(sink_.host, name.c_str()));
   }
+  /// Whether the host takes splines. Most have no use for them.
+  [[nodiscard]] bool takes_splines() const {
+    return sink_.size >= offsetof(epura_sink, spline) + sizeof sink_.spline && sink_.spline != nullptr;
+  }
+  /// The curve of the edge or wire that was handed over last. Other hosts ignore it.
+  void spline(epura_spline spline) {
+    spline.size = sizeof spline;
+    if (takes_splines()) expect(sink_.spline(sink_.host, &spline));
+  }
   void note(const std::string& sentence) { expect(sink_.note(sink_.host, sentence.c_str())); }
   void progress(double done) { expect(sink_.progress(sink_.host, done)); }
 

@@ -19,7 +19,7 @@ from ._compare import Comparison, compare
 from ._draw import draw
 from ._drawing import KINDS, Arc, DrawnView, Drawing, Layer
 from ._errors import Error, InputError, OutputError, PluginError, TimeError
-from ._hlr import Curve, Curves, EdgeArc, hlr
+from ._hlr import Curve, Curves, EdgeArc, EdgeSpline, hlr
 from ._models import Model
 from ._parts import (Accepted, BrokenOut, Datum, Detail, Dimension, Explode, Note, PartsList, Requirement, Revision, Revolved,
                      Section, Sheet, Style, SurfaceTexture, Table, ToleranceFrame, View)
@@ -27,8 +27,8 @@ from ._scene import Scene
 
 __all__ = [
     "Accepted", "Arc", "BrokenOut", "Comparison", "Curve", "Curves", "Datum", "Detail", "Dimension", "Drawing",
-    "DrawnView", "EdgeArc", "Error", "Explode", "InputError", "KINDS", "Layer", "Model", "Note", "OutputError", "PartsList",
-    "PluginError", "Requirement", "Revision", "Revolved", "Scene", "Section", "Sheet", "Style", "SurfaceTexture",
+    "DrawnView", "EdgeArc", "EdgeSpline", "Error", "Explode", "InputError", "KINDS", "Layer", "Model", "Note", "OutputError",
+    "PartsList", "PluginError", "Requirement", "Revision", "Revolved", "Scene", "Section", "Sheet", "Style", "SurfaceTexture",
     "Table", "TimeError", "ToleranceFrame", "View", "compare", "draw", "hlr", "projection",
 ]
 __version__: str = _core.version()

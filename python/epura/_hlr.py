@@ -24,6 +24,8 @@ _NONE = 2**32 - 1
 _KINDS = {"contour": 1, "boundary": 2, "crease": 4, "intersection": 8, "wire": 64, "tangent": 256, "smooth": 512}
 _USUAL = ("contour", "boundary", "crease", "intersection", "wire")
 _NAMES = {number: name for name, number in _KINDS.items()}
+#: The types of curves by their numbers in hlr.h.
+_TYPES = ("polyline", "ellipse", "line", "circle", "spline")
 
 
 class _Sink(c.Structure):
@@ -59,17 +61,22 @@ class _Request(c.Structure):
                 ("view", c.POINTER(_View)), ("matrix", c.c_void_p), ("projection", c.c_void_p), ("values", c.c_void_p),
                 ("crease_angle", c.c_double), ("scale", c.c_double), ("join_within", c.c_double), ("arcs", c.c_double),
                 ("progress", _Progress), ("host", c.c_void_p), ("finds_error", c.c_uint32),
-                ("unused", c.c_uint32)]
+                ("all_types", c.c_uint32)]
 
 
 class _Face(c.Structure):
     _fields_ = [(name, c.c_uint32) for name in ("node", "shape", "face", "body")]
 
 
+class _Spline(c.Structure):
+    _fields_ = [("size", c.c_uint32), ("degree", c.c_uint32), ("pole_count", c.c_uint64), ("poles", c.POINTER(c.c_double)),
+                ("weights", c.POINTER(c.c_double)), ("knots", c.POINTER(c.c_double))]
+
+
 class _Curve(c.Structure):
     _fields_ = [("type", c.c_uint32), ("kind", c.c_uint32), ("visible", c.c_uint32), ("edge", c.c_uint32),
                 ("faces", _Face * 2), ("first", c.c_uint64), ("count", c.c_uint64), ("centre", c.c_double * 2),
-                ("u", c.c_double * 2), ("v", c.c_double * 2), ("start", c.c_double), ("end", c.c_double)]
+                ("u", c.c_double * 2), ("v", c.c_double * 2), ("start", c.c_double), ("end", c.c_double), ("spline", c.POINTER(_Spline))]
 
 
 class _Result(c.Structure):
@@ -109,8 +116,21 @@ class EdgeArc(NamedTuple):
     end: float
 
 
+class EdgeSpline(NamedTuple):
+    """A part of a B-spline, from the parameter `start` to `end`: `poles` (n, 2), their `weights` (n), and n + degree + 1
+    `knots`."""
+
+    degree: int
+    poles: np.ndarray
+    weights: np.ndarray
+    knots: np.ndarray
+    start: float
+    end: float
+
+
 class Curve(NamedTuple):
-    """A line of one look and one source: `points` (n, 2) in units of the model, y up; of an `arc`, points on it.
+    """A line of one look and one source: `points` (n, 2) in units of the model, y up; of an `arc` or a `spline`, points
+    on it. `type`: "polyline", "line", "circle" or "ellipse" (those have an `arc`), or "spline".
 
     `kind`: "contour", "boundary", "crease", "intersection", "wire", "tangent" or "smooth". Where the shape has faces
     and edges of its own: `edge` is the number of the edge, or wire, and `faces` those of the faces that meet in the
@@ -123,6 +143,8 @@ class Curve(NamedTuple):
     arc: Optional[EdgeArc]
     edge: Optional[int] = None
     faces: Tuple[int, ...] = ()
+    type: str = "polyline"
+    spline: Optional[EdgeSpline] = None
 
 
 class Curves(NamedTuple):
@@ -225,16 +247,32 @@ def _pair(numbers: Any) -> Tuple[float, float]:
     return numbers[0], numbers[1]
 
 
+def _array(numbers: Any, *shape: int) -> np.ndarray:
+    return np.ctypeslib.as_array(numbers, shape).copy()
+
+
+def _spline(curve: _Curve) -> Optional[EdgeSpline]:
+    if not curve.spline:
+        return None
+    spline = curve.spline.contents
+    count, degree = spline.pole_count, spline.degree
+    weights = _array(spline.weights, count) if spline.weights else np.ones(count)
+    return EdgeSpline(degree, _array(spline.poles, count, 2), weights, _array(spline.knots, count + degree + 1),
+                      curve.start, curve.end)
+
+
 def _curves(library: c.CDLL, drawing: c.c_void_p) -> Curves:
     result = library.epura_hlr_result_of(drawing).contents
-    points = np.ctypeslib.as_array(result.points, (result.point_count, 2)).copy() if result.point_count else np.empty((0, 2))
+    points = _array(result.points, result.point_count, 2) if result.point_count else np.empty((0, 2))
     curves = []
     for i in range(result.curve_count):
         curve = _Curve.from_address(result.curves + i * result.curve_size)
-        arc = EdgeArc(_pair(curve.centre), _pair(curve.u), _pair(curve.v), curve.start, curve.end) if curve.type else None
+        kind = _TYPES[curve.type]
+        arc = (EdgeArc(_pair(curve.centre), _pair(curve.u), _pair(curve.v), curve.start, curve.end)
+               if kind in ("ellipse", "circle") else None)
         faces = tuple(face.face for face in curve.faces if face.face != _NONE)
         curves.append(Curve(points[curve.first:curve.first + curve.count], _NAMES[curve.kind], bool(curve.visible), arc,
-                            None if curve.edge == _NONE else curve.edge, faces))
+                            None if curve.edge == _NONE else curve.edge, faces, kind, _spline(curve)))
     return Curves(curves, np.array(result.matrix).reshape(4, 4))
 
 
@@ -269,7 +307,7 @@ def hlr(shape: Any, faces: Any = None, *, direction: Sequence[float] = (1, -1, 1
         if library.epura_hlr_finish(model, settings, error):
             _raise(error)
         request = _Request(size=c.sizeof(_Request), kinds=_number_of(kinds), only_visible=not hidden, threads=threads,
-                           crease_angle=crease_angle, scale=scale, join_within=join_within, arcs=arcs)
+                           crease_angle=crease_angle, scale=scale, join_within=join_within, arcs=arcs, all_types=1)
         if matrix is None:
             request.view = c.pointer(_view(direction, up, eye, target))
         else:

@@ -54,7 +54,7 @@ def test_rims_become_arcs():
     faces = [list(range(n))[::-1], list(range(n, 2 * n))]
     faces += [[i, (i + 1) % n, n + (i + 1) % n, n + i] for i in range(n)]
     curves = epura.hlr(points, faces, direction=(0, 0, 1), up=(0, 1, 0), arcs=0.01, hidden=False)
-    arcs = [curve.arc for curve in curves.curves if curve.arc]
+    arcs = [curve.arc for curve in curves.curves if curve.type == "circle"]
     assert sum(abs(arc.end - arc.start) for arc in arcs) == pytest.approx(2 * np.pi)
     assert all(np.hypot(*arc.u) == pytest.approx(5) for arc in arcs)
 
@@ -64,6 +64,20 @@ def test_objects_of_other_libraries_are_taken():
     assert length(epura.hlr(SimpleNamespace(vertices=VERTICES, faces=FACES)).visible) == pytest.approx(expected)
     solid = SimpleNamespace(tessellate=lambda tolerance: (VERTICES.tolist(), FACES.tolist()))  # as FreeCAD and CadQuery
     assert length(epura.hlr(solid).visible) == pytest.approx(expected)
+
+
+def spline_points(spline, parameters):
+    """By the definition of Cox and de Boor."""
+    k, t = spline.knots, np.asarray(parameters)[:, None]
+    spans = (k[:-1] <= t) & (t < k[1:]) & (k[:-1] < k[1:])
+    spans[t[:, 0] >= k[-1], np.flatnonzero(k[:-1] < k[1:])[-1]] = True
+    shares = spans.astype(float)
+    for degree in range(1, spline.degree + 1):
+        rise, fall = (k[degree:-1] - k[:-degree - 1], k[degree + 1:] - k[1:-degree])
+        up, down = (np.divide(1, width, out=np.zeros_like(width), where=width > 0) for width in (rise, fall))
+        shares = (t - k[:-degree - 1]) * up * shares[:, :-1] + (k[degree + 1:] - t) * down * shares[:, 1:]
+    shares = shares * spline.weights
+    return shares @ spline.poles / shares.sum(axis=1, keepdims=True)
 
 
 def needs(ending):
@@ -94,6 +108,28 @@ def test_shapes_of_files_keep_their_faces_and_edges():
     coarse = epura.hlr(file.read_bytes(), format="step", tolerance=1)
     assert length(coarse.visible) == pytest.approx(length(curves.visible), rel=0.01)
     assert sum(map(len, coarse.visible)) < sum(map(len, curves.visible))
+
+
+def test_splines_of_files_are_told_with_what_is_seen_of_them():
+    needs("step")
+    curves = epura.hlr(SAMPLES / "step" / "clamp.step").curves
+    splines = [curve for curve in curves if curve.type == "spline"]
+    assert splines and all((curve.spline is None) == (curve.type != "spline") for curve in curves)
+    for curve in splines:
+        part = curve.spline
+        assert len(part.knots) == len(part.poles) + part.degree + 1 and (part.weights > 0).all()
+        at = spline_points(part, np.linspace(part.start, part.end, 2000))
+        assert np.linalg.norm(curve.points[:, None] - at[None], axis=2).min(axis=1).max() < 0.05
+        assert at[[0, -1]] == pytest.approx(curve.points[[0, -1]], abs=0.01)
+    # What is seen and what is hidden of an edge are parts of one curve that do not overlap.
+    for edge in {curve.edge for curve in splines}:
+        parts = sorted(sorted((curve.spline.start, curve.spline.end)) for curve in splines if curve.edge == edge)
+        assert all(one[1] <= other[0] + 1e-3 for one, other in zip(parts, parts[1:]))
+
+
+def test_lines_are_told_as_such():
+    types = {(curve.type, len(curve.points) == 2) for curve in epura.hlr(VERTICES, FACES).curves}
+    assert ("line", True) in types and types <= {("line", True), ("polyline", False)}
 
 
 def test_shapes_of_open_cascade_are_taken_as_text():
@@ -159,3 +195,10 @@ def test_samples_stand_in_for_other_programs():
     groups = sample["project_ex"](cube, direction=(1, -1, 1), up=(0, 0, 1))
     assert length(groups[0] + groups[2]) == pytest.approx(length(visible)) and not groups[1]
     assert sample["get_svg"](cube).count("<polyline") == len(epura.hlr(cube, direction=(-1.75, 1.1, 5), up=(0, 1, 0)).curves)
+    text = sample["get_dxf"](cube)
+    drawn = epura.hlr(cube, direction=(-1.75, 1.1, 5), up=(0, 1, 0)).curves
+    for layer, visible in (("VISIBLE", True), ("HIDDEN", False)):
+        number = r"\n(-?[\d.]+)"
+        lines = re.findall(f"\nLINE\n8\n{layer}\n10{number}\n20{number}\n11{number}\n21{number}", text)
+        ends = np.array(lines, dtype=float).reshape(-1, 2, 2)
+        assert length(ends) == pytest.approx(length([curve.points for curve in drawn if curve.visible == visible]), abs=1e-4)

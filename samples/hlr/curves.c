@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: Apache-2.0 */
-/* Hidden-line removal in memory: writes the curves of a cylinder on a plate as SVG:  curves >curves.svg */
+/* Hidden-line removal in memory: writes the curves of a cylinder on a plate, and of a handle that is a spline, as SVG:
+ * curves >curves.svg */
 #include <epura/hlr.h>
 #include <math.h>
 #include <stdio.h>
@@ -60,8 +61,61 @@ static void add_cylinder(const epura_sink* sink, double radius, double height) {
   }
 }
 
+/* A cubic Bezier curve over the cylinder: a wire, and the spline along which it runs. */
+static void add_handle(const epura_sink* sink) {
+  static const double poles[] = {0, -12, -2, 0, -12, 17, 0, 12, 17, 0, 12, -9}, knots[] = {0, 0, 0, 0, 1, 1, 1, 1};
+  double parameters[SIDES + 1];
+  uint32_t vertices[SIDES + 1];
+  sink->shape(sink->host, "handle");
+  for (uint32_t i = 0; i <= SIDES; ++i) {
+    const double t = parameters[i] = (double)i / SIDES, s = 1 - t;
+    const double shares[4] = {s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t};
+    double point[3] = {0, 0, 0};
+    for (int pole = 0; pole < 4; ++pole)
+      for (int axis = 0; axis < 3; ++axis) point[axis] += shares[pole] * poles[3 * pole + axis];
+    sink->points(sink->host, 1, point);
+    vertices[i] = i;
+  }
+  epura_edge edge;
+  memset(&edge, 0, sizeof edge);
+  edge.size = sizeof edge;
+  edge.kind = EPURA_WIRE;
+  edge.count = SIDES + 1;
+  edge.vertices = vertices;
+  sink->edge(sink->host, &edge);
+  epura_spline spline;
+  memset(&spline, 0, sizeof spline);
+  spline.size = sizeof spline;
+  spline.degree = 3;
+  spline.pole_count = 4;
+  spline.poles = poles;
+  spline.knots = knots;
+  spline.parameters = parameters;
+  sink->spline(sink->host, &spline);
+}
+
+/* The part of a cubic Bezier curve between two parameters, by its blossoms. */
+static void write_part(const epura_hlr_spline* spline, double from, double to) {
+  for (int pole = 0; pole < 4; ++pole) {
+    double place[8];
+    memcpy(place, spline->poles, sizeof place);
+    for (int level = 0; level < 3; ++level) {
+      const double t = level < pole ? to : from;
+      for (int i = 0; i < 2 * (3 - level); ++i) place[i] = (1 - t) * place[i] + t * place[i + 2];
+    }
+    printf("%s%.4f,%.4f", pole == 0 ? "M" : pole == 1 ? "C" : " ", place[0], -place[1]);
+  }
+}
+
 static void write_curve(const epura_hlr_result* result, const epura_hlr_curve* curve) {
-  printf("<polyline fill=\"none\" stroke=\"black\" stroke-width=\"%s points=\"", curve->visible ? "0.2\"" : "0.1\" stroke-dasharray=\"1 0.5\"");
+  const char* look = curve->visible ? "0.2\"" : "0.1\" stroke-dasharray=\"1 0.5\"";
+  if (curve->type == EPURA_HLR_SPLINE) {
+    printf("<path fill=\"none\" stroke=\"black\" stroke-width=\"%s d=\"", look);
+    write_part(curve->spline, curve->from, curve->to);
+    printf("\"/>\n");
+    return;
+  }
+  printf("<polyline fill=\"none\" stroke=\"black\" stroke-width=\"%s points=\"", look);
   for (uint64_t i = curve->first; i < curve->first + curve->count; ++i)
     printf("%.4f,%.4f ", result->points[2 * i], -result->points[2 * i + 1]);
   printf("\"/>\n");
@@ -77,12 +131,14 @@ int main(void) {
     const epura_sink* sink = epura_hlr_sink(model);
     add_plate(sink);
     add_cylinder(sink, 5, 9);
+    add_handle(sink);
     const double s = sqrt(0.5), t = sqrt(1.0 / 6);
     const double isometric[16] = {s, s, 0, 0, -t, t, 2 * t, 0, 1, -1, 1, 0, 0, 0, 0, 1};
     epura_hlr_request request;
     memset(&request, 0, sizeof request);
     request.size = sizeof request;
     request.matrix = isometric;
+    request.all_types = 1;
     if (epura_hlr_finish(model, NULL, &error) == EPURA_HLR_DONE) drawing = epura_hlr_draw(model, &request, &error);
   }
   if (drawing == NULL) {
@@ -90,7 +146,7 @@ int main(void) {
     return 1;
   }
   const epura_hlr_result* result = epura_hlr_result_of(drawing);
-  printf("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-12 -16 24 28\">\n");
+  printf("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"-12 -18 24 30\">\n");
   for (uint64_t i = 0; i < result->curve_count; ++i)
     write_curve(result, (const epura_hlr_curve*)((const char*)result->curves + i * result->curve_size));
   printf("</svg>\n");

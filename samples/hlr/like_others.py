@@ -34,3 +34,13 @@ def get_svg(shape, projection_dir=(-1.75, 1.1, 5), width=800, margin=20):
         lines.append(f'<polyline points="{" ".join(f"{x:.2f},{y:.2f}" for x, y in page)}"{dashes}/>')
     return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{width}" height="{height:.0f}">'
             f'<g fill="none" stroke="black">{"".join(lines)}</g></svg>')
+
+
+def get_dxf(shape, projection_dir=(-1.75, 1.1, 5)):
+    """As CadQuery's exporters.exportDXF of a projection: the text of a DXF file, lines on the layers VISIBLE and HIDDEN."""
+    rows = ["0", "SECTION", "2", "ENTITIES"]
+    for curve in epura.hlr(shape, direction=projection_dir, up=(0, 1, 0)).curves:
+        for (x0, y0), (x1, y1) in zip(curve.points, curve.points[1:]):
+            rows += ["0", "LINE", "8", "VISIBLE" if curve.visible else "HIDDEN",
+                     "10", f"{x0:.6f}", "20", f"{y0:.6f}", "11", f"{x1:.6f}", "21", f"{y1:.6f}"]
+    return "\n".join([*rows, "0", "ENDSEC", "0", "EOF", ""])

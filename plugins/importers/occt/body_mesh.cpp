@@ -72,7 +72,7 @@ class Numbering {
     const TopoDS_Shape key = edge.Oriented(TopAbs_FORWARD);
     int index = mesh_.edges.FindIndex(key);
     if (index == 0) index = mesh_.edges.Add(key, new_points(TopoDS::Edge(key), *line));
-    const std::vector<Number>& points = mesh_.edges(index);
+    const std::vector<Number>& points = mesh_.edges(index).points;
     if (static_cast<int>(points.size()) != line->NbNodes()) {
       ++mesh_.gaps;
       numbers_[line->Node(1) - 1] = points.front();
@@ -82,16 +82,18 @@ class Numbering {
     for (int i = 1; i <= line->NbNodes(); ++i) numbers_[line->Node(i) - 1] = points[i - 1];
   }
 
-  std::vector<Number> new_points(const TopoDS_Edge& edge, const Poly_PolygonOnTriangulation& line) {
+  Along new_points(const TopoDS_Edge& edge, const Poly_PolygonOnTriangulation& line) {
     const int count = line.NbNodes();
     TopoDS_Vertex first, last;
     TopExp::Vertices(edge, first, last);
     std::vector<Number> points{number_of(first, position(line.Node(1)))};
-    if (BRep_Tool::Degenerated(edge)) return std::vector<Number>(count, points.front());
+    if (BRep_Tool::Degenerated(edge)) return {std::vector<Number>(count, points.front())};
     for (int i = 2; i < count; ++i) points.push_back(add_point(position(line.Node(i))));
     const bool is_ring_without_vertex = first.IsNull() && last.IsNull() && BRep_Tool::IsClosed(edge);
     points.push_back(is_ring_without_vertex ? points.front() : number_of(last, position(line.Node(count))));
-    return points;
+    Along along{std::move(points)};
+    if (line.HasParameters()) along.parameters.assign(line.Parameters()->begin(), line.Parameters()->end());
+    return along;
   }
 
   [[nodiscard]] std::vector<std::array<Number, 3>> corners(const TopoDS_Face& face) const {

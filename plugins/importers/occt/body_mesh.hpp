@@ -18,8 +18,13 @@ struct Facets {
   std::vector<std::array<std::uint32_t, 3>> triangles;  ///< counterclockwise as seen from outside
 };
 
-/// The points along each edge, in the direction of its curve.
-using PointsOfEdges = NCollection_IndexedDataMap<TopoDS_Shape, std::vector<std::uint32_t>, TopTools_ShapeMapHasher>;
+/// Points along an edge, in the direction of its curve.
+struct Along {
+  std::vector<std::uint32_t> points;
+  std::vector<double> parameters{};  ///< of these on its curve; empty: not known
+};
+
+using PointsOfEdges = NCollection_IndexedDataMap<TopoDS_Shape, Along, TopTools_ShapeMapHasher>;
 
 struct BodyMesh {
   std::vector<epura::plugin::Point> points;

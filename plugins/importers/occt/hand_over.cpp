@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <epura/opencascade_spline.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "body_mesh.hpp"
 #include "joints.hpp"
@@ -111,6 +113,12 @@ void hand_over(const SavedView& view, epura::plugin::Sink& sink) {
                    .planes = planes.data()});
 }
 
+void hand_over_spline(const TopoDS_Edge& edge, std::vector<double> parameters, epura::plugin::Sink& sink) {
+  if (!sink.takes_splines()) return;
+  const epura::OpenCascadeSpline spline(edge, std::move(parameters));
+  if (epura_spline told; spline.told(told)) sink.spline(told);
+}
+
 void hand_over(const Body& body, const BodyMesh& mesh, FaceCounter& counter, epura::plugin::Sink& sink) {
   sink.body(body.name);
   hand_over(body.colour, sink);
@@ -120,12 +128,18 @@ void hand_over(const Body& body, const BodyMesh& mesh, FaceCounter& counter, epu
     sink.face(surface_of(facets.face));
     sink.triangles(facets.triangles);
   }
-  for (const Joint& joint : joints_of(mesh)) sink.edge(joint.points, joint.is_tangent, joint.angle);
+  for (Joint& joint : joints_of(mesh)) {
+    sink.edge(joint.along.points, joint.is_tangent, joint.angle);
+    hand_over_spline(joint.edge, std::move(joint.along.parameters), sink);
+  }
 }
 
 void hand_over(const WireMesh& mesh, epura::plugin::Sink& sink) {
   sink.points(mesh.points);
-  for (const std::vector<std::uint32_t>& wire : mesh.wires) sink.wire(wire);
+  for (const Wire& wire : mesh.wires) {
+    sink.wire(wire.along.points);
+    hand_over_spline(wire.edge, wire.along.parameters, sink);
+  }
 }
 
 void hand_over(const std::vector<gp_Pnt>& points, std::uint32_t first, epura::plugin::Sink& sink) {

@@ -96,12 +96,12 @@ double angle_along(const Side& one, const Side& other) {
 }
 
 Joint joint_of(const TopoDS_Edge& edge, const TopTools_ListOfShape& faces) {
-  if (faces.Extent() > 2) return {{}, false, unknown};
+  if (faces.Extent() > 2) return {edge, {}, false, unknown};
   const TopoDS_Face& one = TopoDS::Face(faces.First());
   const TopoDS_Face& other = TopoDS::Face(faces.Last());
   const double angle = angle_along(Side(edge, one), Side(edge, other));
   const bool is_declared = BRep_Tool::Continuity(edge, one, other) >= GeomAbs_G1;
-  return {{}, angle <= tangent_angle || (is_declared && !(angle > believable_tangency)), angle};
+  return {edge, {}, angle <= tangent_angle || (is_declared && !(angle > believable_tangency)), angle};
 }
 
 }  // namespace
@@ -121,10 +121,10 @@ std::vector<Joint> joints_of(const BodyMesh& mesh) {
   std::vector<Joint> joints;
   for (int i = 1; i <= faces_at.Extent(); ++i) {
     const TopoDS_Edge edge = TopoDS::Edge(faces_at.FindKey(i).Oriented(TopAbs_FORWARD));
-    const std::vector<std::uint32_t>* points = mesh.edges.Seek(edge);
-    if (faces_at(i).Extent() < 2 || points == nullptr || BRep_Tool::Degenerated(edge)) continue;
+    const Along* along = mesh.edges.Seek(edge);
+    if (faces_at(i).Extent() < 2 || along == nullptr || BRep_Tool::Degenerated(edge)) continue;
     Joint joint = joint_of(edge, faces_at(i));
-    joint.points = *points;
+    joint.along = *along;
     joints.push_back(std::move(joint));
   }
   return joints;

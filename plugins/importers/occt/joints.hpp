@@ -2,7 +2,7 @@
 // How the faces of a body meet at its edges.
 #pragma once
 
-#include <cstdint>
+#include <TopoDS_Edge.hxx>
 #include <vector>
 
 #include "body_mesh.hpp"
@@ -10,7 +10,8 @@
 namespace occt {
 
 struct Joint {
-  std::vector<std::uint32_t> points;
+  TopoDS_Edge edge;
+  Along along;
   bool is_tangent;
   double angle;  ///< degrees between the outward normals: nearly the maximum along the edge; NaN: unknown
 };

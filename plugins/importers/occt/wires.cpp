@@ -32,11 +32,13 @@ class Polylines {
     const TopoDS_Shape forward = edge.Oriented(TopAbs_FORWARD);
     TopoDS_Vertex first, last;
     TopExp::Vertices(TopoDS::Edge(forward), first, last);
-    std::vector<std::uint32_t> wire;
-    for (int i = 1; i <= places.NbPoints(); ++i)
-      wire.push_back(i == 1                  ? end_at(first, places.Value(i))
-                     : i < places.NbPoints() ? add_point(places.Value(i))
-                                             : end_at(last, places.Value(i)));
+    Wire wire{edge, {}};
+    for (int i = 1; i <= places.NbPoints(); ++i) {
+      wire.along.points.push_back(i == 1                  ? end_at(first, places.Value(i))
+                                  : i < places.NbPoints() ? add_point(places.Value(i))
+                                                          : end_at(last, places.Value(i)));
+      wire.along.parameters.push_back(places.Parameter(i));
+    }
     mesh_.wires.push_back(std::move(wire));
   }
 

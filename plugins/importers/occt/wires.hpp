@@ -6,14 +6,20 @@
 #include <epura/importer_plugin.hpp>
 #include <vector>
 
+#include "body_mesh.hpp"
 #include "model.hpp"
 #include "tessellation.hpp"
 
 namespace occt {
 
+struct Wire {
+  TopoDS_Edge edge;
+  Along along;  ///< a closed one repeats its first point at the end
+};
+
 struct WireMesh {
   std::vector<epura::plugin::Point> points;
-  std::vector<std::vector<std::uint32_t>> wires;  ///< a closed one repeats its first point at the end
+  std::vector<Wire> wires;
 };
 
 /// Vertex numbers begin with `first_point`.

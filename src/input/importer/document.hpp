@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/spline.hpp"
 #include "foreign/packing.hpp"
 #include "mesh/soup.hpp"
 #include "surfaces/declared_part.hpp"
@@ -22,6 +23,14 @@ namespace epura::importer {
 inline constexpr int no_colour = -1;
 
 // What comes from another process has no bool and no enumeration that is not checked: any bytes may come.
+
+/// The curve of an edge or of a wire.
+struct EdgeSpline {
+  bool is_wire;
+  int number;  ///< of the edge or of the wire in its shape
+  Spline spline;
+  std::vector<double> parameters;  ///< of the points of the edge
+};
 
 struct Shape {
   std::string name{};
@@ -37,9 +46,10 @@ struct Shape {
   std::vector<surfaces::PartSurface> faces{};
   std::vector<surfaces::DeclaredEdge> edges{};
   std::vector<int> edge_vertices{};
-  std::vector<int> wire_vertices{};  ///< indices of points, of all wires one after the other
-  std::vector<int> wire_ends{};      ///< end of each wire in `wire_vertices`
-  std::vector<int> marked_points{};  ///< indices of points that are drawn as such
+  std::vector<int> wire_vertices{};   ///< indices of points, of all wires one after the other
+  std::vector<int> wire_ends{};       ///< end of each wire in `wire_vertices`
+  std::vector<int> marked_points{};   ///< indices of points that are drawn as such
+  std::vector<EdgeSpline> splines{};  ///< for hidden lines in memory: other processes are not asked for them
 };
 
 struct Node {

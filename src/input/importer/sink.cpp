@@ -6,6 +6,7 @@
 #include <climits>
 #include <cmath>
 #include <exception>
+#include <functional>
 #include <utility>
 
 #include "base/error.hpp"
@@ -23,7 +24,10 @@ constexpr std::size_t max_notes = 100;
 
 std::string text_of(const char* text) { return text == nullptr ? "" : text; }
 
-Vec3 vector_of(const double (&v)[3]) { return {v[0], v[1], v[2]}; }
+template <class Numbers>
+Vec3 vector_of(const Numbers& v) {
+  return {v[0], v[1], v[2]};
+}
 
 // Indexed by the numbers in importer_abi.h.
 constexpr std::array surface_kinds{SurfaceKind::free_form, SurfaceKind::plane,  SurfaceKind::cylinder,
@@ -55,6 +59,41 @@ PartSurface surface_of(const epura_face& face) {
   return surface;
 }
 
+// Its numbers are those of importer_abi.h.
+EdgeSpline spline_of(const epura_spline& told, std::size_t points) {
+  constexpr std::uint32_t most_degree = 25;  // as Open CASCADE, and more than any file has
+  require(1 <= told.degree && told.degree <= most_degree, "hands over a spline of unknown degree");
+  require(told.degree < told.pole_count && told.pole_count <= INT_MAX / 6,
+          "hands over a spline of no more poles than its degree, or of more than can be numbered");
+  require(told.poles != nullptr && told.knots != nullptr && told.parameters != nullptr,
+          "hands over a spline without poles, knots or parameters");
+  EdgeSpline taken{false, 0, {static_cast<int>(told.degree), {}, {}}, {}};
+  const auto are_finite = [](const double* numbers, std::size_t count) {
+    return std::all_of(numbers, numbers + count, [](double v) { return std::isfinite(v); });
+  };
+  const std::size_t knots = told.pole_count + told.degree + 1;
+  require(are_finite(told.poles, 3 * told.pole_count), "hands over a spline with a pole that is not finite");
+  for (std::size_t i = 0; i < told.pole_count; ++i) {
+    const double weight = told.weights == nullptr ? 1 : told.weights[i];
+    require(weight > 0 && std::isfinite(weight), "hands over a spline with a weight that is not positive");
+    const double* p = told.poles + 3 * i;
+    taken.spline.poles.emplace_back(weight * p[0], weight * p[1], weight * p[2], weight);
+  }
+  require(are_finite(told.knots, knots) && std::is_sorted(told.knots, told.knots + knots) &&
+              told.knots[told.degree] < told.knots[told.pole_count],
+          "hands over a spline whose knots do not rise");
+  taken.spline.knots.assign(told.knots, told.knots + knots);
+  taken.parameters.assign(told.parameters, told.parameters + points);
+  const auto [least, most] = std::ranges::minmax(taken.parameters);
+  const auto rise = [](const auto& order) { return [order](double a, double b) { return !order(a, b); }; };
+  require(are_finite(told.parameters, points) && told.knots[told.degree] <= least &&
+              most <= told.knots[told.pole_count] &&
+              (std::ranges::adjacent_find(taken.parameters, rise(std::less())) == taken.parameters.end() ||
+               std::ranges::adjacent_find(taken.parameters, rise(std::greater())) == taken.parameters.end()),
+          "hands over a spline with parameters that neither all rise nor all fall between its ends");
+  return taken;
+}
+
 // Without faces.
 Requirement requirement_of(const epura_requirement& told) {
   const auto bounds = static_cast<RequirementBounds>(told.bounds);
@@ -81,7 +120,7 @@ Requirement requirement_of(const epura_requirement& told) {
 
 }  // namespace
 
-DocumentSink::DocumentSink(std::function<void(double)> tell)
+DocumentSink::DocumentSink(std::function<void(double)> tell, bool takes_splines)
     : tell_(std::move(tell)),
       calls_{sizeof(epura_sink),
              0,
@@ -102,7 +141,8 @@ DocumentSink::DocumentSink(std::function<void(double)> tell)
              &call<&DocumentSink::step, double>,
              &call<&DocumentSink::requirement, const epura_requirement*>,
              &call<&DocumentSink::saved_view, const epura_saved_view*>,
-             &call<&DocumentSink::standard, const char*>} {}
+             &call<&DocumentSink::standard, const char*>,
+             takes_splines ? &call<&DocumentSink::spline, const epura_spline*> : nullptr} {}
 
 template <auto member, class... A>
 int DocumentSink::call(void* host, A... arguments) noexcept {
@@ -147,6 +187,7 @@ int DocumentSink::up(char axis) {
 int DocumentSink::shape(const char* name) {
   expect_fewer(document_.shapes.size());
   document_.shapes.emplace_back().name = text_of(name);
+  edge_ = {};
   begun_ = Begun::shape;
   return 0;
 }
@@ -205,6 +246,7 @@ int DocumentSink::edge(const epura_edge* edge) {
   const bool is_wire = edge->kind == EPURA_WIRE;
   expect_points(edge->count, edge->vertices, is_point ? "a point" : is_wire ? "a wire" : "an edge");
   Shape& shape = current();
+  edge_ = {};
   if (is_point) {
     expect_fewer(shape.marked_points.size());
     shape.marked_points.push_back(static_cast<int>(*edge->vertices));
@@ -213,6 +255,8 @@ int DocumentSink::edge(const epura_edge* edge) {
   std::vector<int>& vertices = is_wire ? shape.wire_vertices : shape.edge_vertices;
   expect_fewer(vertices.size() + edge->count);
   vertices.insert(vertices.end(), edge->vertices, edge->vertices + edge->count);
+  edge_ = std::span(vertices).last(edge->count);
+  is_wire_ = is_wire;
   if (is_wire) {
     shape.wire_ends.push_back(static_cast<int>(vertices.size()));
     return 0;
@@ -322,6 +366,26 @@ int DocumentSink::saved_view(const epura_saved_view* told) {
 
 int DocumentSink::standard(const char* name) {
   document_.standard = text_of(name);
+  return 0;
+}
+
+// Its points may be off by their tolerance, but not by more than they are apart.
+int DocumentSink::spline(const epura_spline* told) {
+  require(told != nullptr && told->size >= sizeof(epura_spline), "hands over no spline where it says so");
+  require(!edge_.empty(), "hands over a spline of no edge");
+  EdgeSpline taken = spline_of(*told, edge_.size());
+  Shape& shape = current();
+  const auto point = [&](std::size_t i) { return vector_of(shape.points[static_cast<std::size_t>(edge_[i])]); };
+  for (std::size_t i = 0; i < edge_.size(); ++i) {
+    const Vec4 on_it = point_of(taken.spline, taken.parameters[i]);
+    const double apart = glm::distance(point(i), point(i == 0 ? 1 : i - 1));
+    require(glm::distance(Vec3(on_it) / on_it.w, point(i)) <= apart,
+            "hands over a spline that does not run through the points of its edge");
+  }
+  taken.is_wire = is_wire_;
+  taken.number = static_cast<int>(is_wire_ ? shape.wire_ends.size() : shape.edges.size()) - 1;
+  shape.splines.push_back(std::move(taken));
+  edge_ = {};
   return 0;
 }
 

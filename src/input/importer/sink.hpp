@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <set>
+#include <span>
 #include <string>
 
 #include "importer/imported_file.hpp"
@@ -14,8 +15,8 @@ namespace epura::importer {
 
 class DocumentSink {
  public:
-  /// `tell` receives the fraction that is done, from 0 to 1.
-  explicit DocumentSink(std::function<void(double)> tell);
+  /// `tell` receives the fraction that is done, from 0 to 1. With `takes_splines`, the curves of edges are wanted.
+  explicit DocumentSink(std::function<void(double)> tell, bool takes_splines = false);
   DocumentSink(const DocumentSink&) = delete;
   DocumentSink& operator=(const DocumentSink&) = delete;
 
@@ -45,6 +46,7 @@ class DocumentSink {
   int requirement(const epura_requirement* requirement);
   int saved_view(const epura_saved_view* view);
   int standard(const char* name);
+  int spline(const epura_spline* spline);
 
   template <auto member, class... A>
   static int call(void* host, A... arguments) noexcept;
@@ -58,6 +60,8 @@ class DocumentSink {
   std::function<void(double)> tell_;
   std::string fault_;
   Begun begun_ = Begun::nothing;
+  std::span<const int> edge_;  ///< the points of the edge or wire that was handed over last, until it has a curve
+  bool is_wire_ = false;
   std::set<std::string> ids_;  ///< of requirements
   epura_sink calls_;
 };

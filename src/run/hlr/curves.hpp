@@ -4,6 +4,7 @@
 
 #include <epura/hlr.h>
 
+#include <map>
 #include <vector>
 
 #include "drawing/view_drawing.hpp"
@@ -11,13 +12,20 @@
 
 namespace epura::hlr {
 
-struct Curves {
-  std::vector<epura_hlr_curve> curves{};
-  std::vector<double> points{};  ///< two numbers each
+/// The picture of a spline, and what it refers to.
+struct PlaneSpline {
+  epura_hlr_spline told;
+  std::vector<double> poles, weights, knots;
 };
 
-/// `scale` is the length on paper of a unit of the result.
-Curves curves_of(const Model& model, const drawing::ViewDrawing& drawing, double scale);
+struct Curves {
+  std::vector<epura_hlr_curve> curves{};
+  std::vector<double> points{};          ///< two numbers each
+  std::map<int, PlaneSpline> splines{};  ///< by their numbers in the model
+};
+
+/// `scale` is the length on paper of a unit of the result; see epura_hlr_request::all_types.
+Curves curves_of(const Model& model, const drawing::ViewDrawing& drawing, double scale, bool all_types);
 
 /// The kind of lines with its number in hlr.h.
 constexpr std::uint32_t number_of(EdgeKind kind) { return 1U << static_cast<unsigned>(kind); }

@@ -200,19 +200,44 @@ class ShapeFollower {
   }
 
   void divide_edges() {
+    divide_parameters();
     std::vector<int> vertices;
     int begin = 0;
     for (surfaces::DeclaredEdge& edge : shape_.edges) {
       for (int i = begin; i < edge.end; ++i) {
         vertices.push_back(shape_.edge_vertices[static_cast<std::size_t>(i)]);
-        if (i + 1 == edge.end) continue;
-        const auto middle = middle_.find(side_of(std::span(shape_.edge_vertices).subspan(i, 2), 0));
-        if (middle != middle_.end()) vertices.push_back(middle->second);
+        if (const int middle = i + 1 == edge.end ? -1 : middle_after(i); middle >= 0) vertices.push_back(middle);
       }
       begin = edge.end;
       edge.end = static_cast<int>(vertices.size());
     }
     shape_.edge_vertices = std::move(vertices);
+  }
+
+  // The new point between a vertex of an edge and the next one; -1: none.
+  [[nodiscard]] int middle_after(int i) const {
+    const auto found =
+        middle_.find(side_of(std::span(shape_.edge_vertices).subspan(static_cast<std::size_t>(i), 2), 0));
+    return found == middle_.end() ? -1 : found->second;
+  }
+
+  // Those of new points on the curves of edges: of the points of these that are nearest.
+  void divide_parameters() {
+    for (importer::EdgeSpline& curve : shape_.splines) {
+      if (curve.is_wire) continue;
+      const int first = curve.number == 0 ? 0 : shape_.edges[static_cast<std::size_t>(curve.number) - 1].end;
+      std::vector<double> divided;
+      for (std::size_t i = 0; i < curve.parameters.size(); ++i) {
+        divided.push_back(curve.parameters[i]);
+        const bool is_last = i + 1 == curve.parameters.size();
+        const int middle = is_last ? -1 : middle_after(first + static_cast<int>(i));
+        if (middle < 0) continue;
+        divided.push_back(
+            nearest_parameter(curve.spline, curve.parameters[i], curve.parameters[i + 1],
+                              [&](const Vec4& on_it) { return glm::distance(Vec3(on_it) / on_it.w, at(middle)); }));
+      }
+      curve.parameters = std::move(divided);
+    }
   }
 
   void divide_facets() {

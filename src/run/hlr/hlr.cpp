@@ -43,7 +43,7 @@
 using namespace epura;
 
 struct epura_hlr_model {
-  importer::DocumentSink sink{[](double) {}};
+  importer::DocumentSink sink{[](double) {}, /*takes_splines=*/true};
   std::optional<hlr::Model> finished;
 };
 
@@ -295,7 +295,7 @@ std::unique_ptr<epura_hlr_drawing> draw(const epura_hlr_model& model, const epur
   const DrawnView found = draw_view(world, std::move(seen), scale, request, progress);
   progress.expect_not_stopped();
   auto made = std::make_unique<epura_hlr_drawing>();
-  made->content = hlr::curves_of(*model.finished, found.drawing, scale);
+  made->content = hlr::curves_of(*model.finished, found.drawing, scale, request.all_types != 0);
   const hlr::Curves& content = made->content;
   made->result = {sizeof(epura_hlr_result),
                   sizeof(epura_hlr_curve),

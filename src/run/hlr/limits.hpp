@@ -12,4 +12,7 @@ inline constexpr double usual_side_mm = 1000;
 /// surface. More are a sign of a function that is none, or of a tolerance below rounding.
 inline constexpr std::size_t most_points_for_one = 1000;
 
+/// By how much squares of the axes of a circle may differ, of one of them: rounding.
+inline constexpr double equal_axes = 1e-9;
+
 }  // namespace epura::hlr

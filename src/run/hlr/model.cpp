@@ -2,10 +2,11 @@
 #include "hlr/model.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <memory>
-#include <span>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "importer/assemble.hpp"
 #include "mesh/read.hpp"
@@ -34,38 +35,61 @@ std::vector<Occurrence> occurrences_of(const importer::Document& document) {
   return found;
 }
 
-void add_edges(std::vector<SourceEdge>& edges, const Occurrence& at, std::span<const int> vertices,
-               const std::vector<int>& ends) {
-  int begin = 0;
-  for (std::uint32_t number = 0; number < ends.size(); ++number) {
-    for (int i = begin; i + 1 < ends[number]; ++i) {
-      const auto [low, high] =
-          std::minmax(vertices[static_cast<std::size_t>(i)], vertices[static_cast<std::size_t>(i) + 1]);
-      edges.push_back({{low, high}, at.node, at.shape, number});
+/// An edge or a wire of a shape.
+struct Line {
+  int end;                                          ///< in the vertices of all, which follow one another
+  int spline = -1;                                  ///< in Model::splines; -1: none
+  const std::vector<double>* parameters = nullptr;  ///< of its vertices on it
+};
+
+void add_edges(std::vector<SourceEdge>& edges, const Occurrence& at, const std::vector<int>& vertices,
+               const std::vector<Line>& lines) {
+  std::size_t begin = 0;
+  for (std::uint32_t number = 0; number < lines.size(); ++number) {
+    const Line& line = lines[number];
+    const auto end = static_cast<std::size_t>(line.end);
+    for (std::size_t i = begin; i + 1 < end; ++i) {
+      SourceEdge piece{{vertices[i], vertices[i + 1]}, at.node, at.shape, number, line.spline, {}};
+      if (line.parameters != nullptr) std::copy_n(line.parameters->begin() + (i - begin), 2, piece.parameters.begin());
+      if (piece.vertex[1] < piece.vertex[0]) {
+        std::swap(piece.vertex[0], piece.vertex[1]);
+        std::swap(piece.parameters[0], piece.parameters[1]);
+      }
+      edges.push_back(piece);
     }
-    begin = ends[number];
+    begin = end;
   }
 }
 
-// Of one piece with several edges, as where bodies touch, the first one counts.
-std::vector<SourceEdge> edges_of(const importer::Document& document, const mesh::Mesh& mesh) {
+// Adds edges and splines of all shapes at their places. Of one piece with several edges, as where bodies touch, the
+// first one counts.
+void add_edges(Model& model, const importer::Document& document, const importer::Assembled& assembled,
+               const mesh::Mesh& mesh) {
   const std::vector<int> vertex = mesh::same_places(mesh.points);
-  std::vector<SourceEdge> edges;
+  std::vector<std::size_t> placed(document.shapes.size(), 0);
   int first_point = 0;
   for (const Occurrence& at : occurrences_of(document)) {
     const importer::Shape& shape = document.shapes[at.shape];
-    const auto placed = [&](std::vector<int> vertices) {
+    const Mat4& place = assembled.places[at.shape][placed[at.shape]++];
+    std::vector<Line> edges, wires;
+    for (const surfaces::DeclaredEdge& edge : shape.edges) edges.push_back({edge.end});
+    for (const int end : shape.wire_ends) wires.push_back({end});
+    for (const importer::EdgeSpline& curve : shape.splines) {
+      Line& line = (curve.is_wire ? wires : edges)[static_cast<std::size_t>(curve.number)];
+      line.spline = static_cast<int>(model.splines.size());
+      line.parameters = &curve.parameters;
+      model.splines.push_back(curve.spline);
+      for (Vec4& pole : model.splines.back().poles) pole = place * pole;
+    }
+    const auto in_mesh = [&](std::vector<int> vertices) {
       for (int& v : vertices) v = vertex[static_cast<std::size_t>(first_point + v)];
       return vertices;
     };
-    std::vector<int> ends;
-    for (const surfaces::DeclaredEdge& edge : shape.edges) ends.push_back(edge.end);
-    add_edges(edges, at, placed(shape.edge_vertices), ends);
-    add_edges(edges, at, placed(shape.wire_vertices), shape.wire_ends);
+    add_edges(model.edges, at, in_mesh(shape.edge_vertices), edges);
+    add_edges(model.edges, at, in_mesh(shape.wire_vertices), wires);
     first_point += static_cast<int>(shape.points.size());
   }
-  std::ranges::stable_sort(edges, {}, &SourceEdge::vertex);
-  return edges;
+  std::ranges::stable_sort(model.edges, {}, &SourceEdge::vertex);
 }
 
 std::vector<epura_hlr_face> faces_of(const importer::Document& document) {
@@ -92,7 +116,8 @@ Model make_model(const importer::Document& document, bool is_mesh) {
             : surfaces::part_of(*mesh, assembled.part, surfaces::RecogniseOptions().tangent_angle));
     if (!faces->faces.empty()) part = std::move(faces);
   }
-  Model model{{}, faces_of(document), edges_of(document, *mesh)};
+  Model model{{}, faces_of(document), {}};
+  add_edges(model, document, assembled, *mesh);
   model.world = world::make_world({{.mesh = std::move(mesh), .part = std::move(part)}});
   world::expect_usable(model.world);
   return model;

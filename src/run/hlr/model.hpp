@@ -9,6 +9,7 @@
 #include <tuple>
 #include <vector>
 
+#include "base/spline.hpp"
 #include "importer/document.hpp"
 #include "world/world.hpp"
 
@@ -23,13 +24,16 @@ inline auto key_of(const epura_hlr_face& face) { return std::tuple(face.node, fa
 struct SourceEdge {
   std::array<int, 2> vertex;  ///< ends of one piece, lower first
   std::uint32_t node, shape;
-  std::uint32_t number;  ///< among the edges between faces of its shape, or among its wires
+  std::uint32_t number;                ///< among the edges between faces of its shape, or among its wires
+  int spline = -1;                     ///< in Model::splines; -1: none
+  std::array<double, 2> parameters{};  ///< of the vertices on it
 };
 
 struct Model {
   world::World world;
   std::vector<epura_hlr_face> face_of_polygon;
   std::vector<SourceEdge> edges;  ///< by vertices
+  std::vector<Spline> splines{};
 };
 
 /// Shapes at their places as one mesh, in the units of their points. Without `is_mesh`, faces are recognised if none

@@ -167,8 +167,11 @@ TEST_F(BadHlrInput, AndGoodOneLeaveNoMemoryBehind) {
     for (int i = 0; i < 5000; ++i) {
       const HlrModel model;
       add_box(model, {1, 2, 3});
+      add_parabola(model, 4);
       model.finish();
-      EXPECT_GT(curves_of(model.draw(request_for(isometric))).size(), 0U);
+      epura_hlr_request request = request_for(isometric);
+      request.all_types = 1;
+      EXPECT_GT(curves_of(model.draw(request)).size(), 0U);
       epura_hlr_request wrong = request_for(isometric);
       wrong.kinds = 1U << 20;
       EXPECT_EQ(epura_hlr_draw(model.model.get(), &wrong, nullptr), nullptr);

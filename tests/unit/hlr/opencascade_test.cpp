@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Shapes of Open CASCADE, drawn with the lengths that their formulas give.
 #include <BRepAlgoAPI_Cut.hxx>
+#include <BRepAlgoAPI_Fuse.hxx>
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepFilletAPI_MakeFillet.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -11,6 +12,8 @@
 #include <BRep_Builder.hxx>
 #include <TopoDS_Compound.hxx>
 #include <epura/hlr_opencascade.hpp>
+#include <map>
+#include <utility>
 
 #include "shapes.hpp"
 
@@ -83,6 +86,12 @@ TEST(OpenCascadeShapes, TorusFromAboveIsTwoCircles) {
   EXPECT_NEAR(torus.length(true), 2 * std::numbers::pi * (13 + 7), 0.05);
 }
 
+// A shape of Open CASCADE's own tests of hidden lines, and the length that these expect.
+TEST(OpenCascadeShapes, TorusOfOtherTestsHasTheirLength) {
+  const Drawn torus(BRepPrimAPI_MakeTorus(30, 10).Shape(), isometric, 0, 0.02);
+  EXPECT_NEAR(torus.length(true), 302.685, 0.1);
+}
+
 TEST(OpenCascadeShapes, ConeFromAboveIsItsRim) {
   const Drawn cone(BRepPrimAPI_MakeCone(6, 0, 9).Shape(), top);
   EXPECT_NEAR(cone.length(true), 2 * std::numbers::pi * 6, 0.01);
@@ -129,6 +138,49 @@ TEST(OpenCascadeShapes, WiresHaveNumbersOfTheirOwn) {
   EXPECT_NEAR(
       length_of_all(drawn.drawing, [](const epura_hlr_curve& c) { return c.kind == EPURA_HLR_WIRE && c.edge == 0; }), 4,
       1e-9);
+}
+
+// Where two cylinders of different size meet, Open CASCADE has B-splines.
+TEST(OpenCascadeShapes, SplinesOfEdgesAreSeenWhereTheirCurvesAre) {
+  const TopoDS_Shape tee =
+      BRepAlgoAPI_Fuse(BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, -20), gp_Dir(0, 0, 1)), 10, 40).Shape(),
+                       BRepPrimAPI_MakeCylinder(gp_Ax2(gp_Pnt(0, 0, 0), gp_Dir(1, -1, 0)), 6, 30).Shape())
+          .Shape();
+  gp_Trsf move;
+  move.SetTranslation(gp_Vec(7, 8, 9));
+  for (const TopoDS_Shape& shape : {tee, tee.Moved(TopLoc_Location(move))}) {
+    HlrModel model;
+    const AddedShape added = add_shape(*model.sink, shape, 0.005);
+    model.finish();
+    epura_hlr_request request = request_for(isometric);
+    request.all_types = 1;
+    const Drawing drawing = model.draw(request);
+    std::map<std::uint32_t, double> parts;  // of each edge: parameters between which it is seen, or hidden
+    bool is_any_visible = false, is_any_hidden = false;
+    for (const epura_hlr_curve& curve : curves_of(drawing)) {
+      if (curve.type != EPURA_HLR_SPLINE) continue;
+      (curve.visible != 0 ? is_any_visible : is_any_hidden) = true;
+      parts[curve.edge] += std::abs(curve.to - curve.from);
+      const BRepAdaptor_Curve edge(added.edges[curve.edge]);
+      ASSERT_EQ(edge.GetType(), GeomAbs_BSplineCurve);
+      const double* points = epura_hlr_result_of(drawing.get())->points + 2 * curve.first;
+      for (const auto& [parameter, place] :
+           {std::pair(curve.from, points), std::pair(curve.to, points + 2 * (curve.count - 1))}) {
+        const gp_Pnt p = edge.Value(parameter);
+        for (std::size_t row = 0; row < 2; ++row) {
+          const double* m = isometric.data() + 4 * row;
+          EXPECT_NEAR(m[0] * p.X() + m[1] * p.Y() + m[2] * p.Z(), place[row], 0.006) << "of facets 0.005 off";
+        }
+      }
+    }
+    EXPECT_TRUE(is_any_visible && is_any_hidden);
+    for (std::uint32_t i = 0; i < added.edges.size(); ++i) {
+      const BRepAdaptor_Curve edge(added.edges[i]);
+      if (edge.GetType() != GeomAbs_BSplineCurve) continue;
+      EXPECT_NEAR(parts[i], edge.LastParameter() - edge.FirstParameter(), 1e-2 * parts[i]) << i;
+    }
+    EXPECT_FALSE(parts.empty());
+  }
 }
 
 }  // namespace

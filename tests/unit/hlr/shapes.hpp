@@ -133,6 +133,27 @@ inline void add_cylinder(const HlrModel& model, double radius, double height, st
   }
 }
 
+/// A wire with a spline, in pieces: x = t, y = t (1 - t), z as told, for t from 0 to 1.
+inline constexpr int pieces = 32;
+inline const std::vector<double> bezier_knots{0, 0, 0, 1, 1, 1};
+
+inline void add_parabola(const HlrModel& model, double z, bool backwards = false) {
+  std::vector<double> points, parameters;
+  std::vector<std::uint32_t> vertices;
+  for (std::uint32_t i = 0; i <= pieces; ++i) {
+    const double t = static_cast<double>(backwards ? pieces - i : i) / pieces;
+    points.insert(points.end(), {t, t * (1 - t), z});
+    parameters.push_back(t);
+    vertices.push_back(i);
+  }
+  model.shape("parabola");
+  model.points(points);
+  model.edge(EPURA_WIRE, vertices);
+  const std::vector<double> poles{0, 0, z, 0.5, 0.5, z, 1, 0, z};
+  const epura_spline spline{sizeof spline, 2, 3, poles.data(), nullptr, bezier_knots.data(), parameters.data()};
+  EXPECT_EQ(model.sink->spline(model.sink->host, &spline), 0);
+}
+
 inline std::span<const epura_hlr_curve> curves_of(const Drawing& drawing) {
   const epura_hlr_result& result = *epura_hlr_result_of(drawing.get());
   return {result.curves, result.curve_count};
