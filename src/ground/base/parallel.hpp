@@ -10,6 +10,14 @@
 
 namespace epura {
 
+/// How many items make a piece of a loop, by what one of them costs: handing a piece out takes microseconds, and the
+/// clock is looked at between pieces. Loops over fewer items stay on one thread.
+namespace grain {
+inline constexpr std::size_t light = 8192;   ///< tens of nanoseconds: a sum, a comparison
+inline constexpr std::size_t medium = 1024;  ///< up to a microsecond
+inline constexpr std::size_t heavy = 64;     ///< microseconds: a search, a fit
+}  // namespace grain
+
 /// Calls `body(begin, end)` on disjoint pieces that cover [0, count), at least `grain` long, on several threads.
 void parallel_for(std::size_t count, std::size_t grain, const std::function<void(std::size_t, std::size_t)>& body);
 

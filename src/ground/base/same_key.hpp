@@ -52,20 +52,19 @@ void visit_same_hash(std::vector<int>& items, const KeyOf& key_of, const Visit& 
 /// array of finite doubles. Calls may be concurrent, in no particular order. Throws OutOfTime.
 template <class KeyOf, class Visit>
 void visit_same_keys(int count, const KeyOf& key_of, const Progress& progress, const Visit& visit) {
-  constexpr std::size_t grain = 4096;
   std::vector<std::uint64_t> hashes(static_cast<std::size_t>(count));
-  parallel_for(hashes.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+  parallel_for(hashes.size(), grain::light, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) hashes[i] = hash_of(key_of(static_cast<int>(i)));
   });
   // Groups by the first bits of hashes, small enough for the items of a group to fit in the cache.
   const std::size_t groups = std::bit_ceil(hashes.size() / 64 + 2);
   const int shift = 64 - std::countr_zero(groups);
   Groups<HashedItem> grouped(groups, [&](const auto& add) {
-    parallel_for(hashes.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+    parallel_for(hashes.size(), grain::light, progress, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) add(hashes[i] >> shift, HashedItem{hashes[i], static_cast<int>(i)});
     });
   });
-  parallel_for(groups, 64, progress, [&](std::size_t begin, std::size_t end) {
+  parallel_for(groups, grain::heavy, progress, [&](std::size_t begin, std::size_t end) {
     std::vector<int> items;
     for (std::size_t group = begin; group < end; ++group) {
       const std::span<HashedItem> hashed = grouped[group];

@@ -19,13 +19,13 @@ class LinesAt {
 
   LinesAt(std::span<const Line> lines, double margin) : grid_(grid_over(lines, margin)) {
     by_cell_ = Groups<int>(static_cast<std::size_t>(grid_.count()), [&](const auto& add) {
-      parallel_for(lines.size(), grain, [&](std::size_t begin, std::size_t end) {
+      parallel_for(lines.size(), grain::medium, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
           visit_cells(grid_, lines[i][0], lines[i][1], margin,
                       [&](int cell, double, double) { add(static_cast<std::size_t>(cell), static_cast<int>(i)); });
       });
     });
-    parallel_for(by_cell_.size(), grain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(by_cell_.size(), grain::medium, [&](std::size_t begin, std::size_t end) {
       for (std::size_t cell = begin; cell < end; ++cell) std::sort(by_cell_[cell].begin(), by_cell_[cell].end());
     });
   }
@@ -38,8 +38,6 @@ class LinesAt {
   [[nodiscard]] std::span<const int> in_cell(int cell) const { return by_cell_[static_cast<std::size_t>(cell)]; }
 
  private:
-  static constexpr std::size_t grain = 1024;
-
   // Cells hold a few lines each, unless lines are crowded.
   static CellGrid grid_over(std::span<const Line> lines, double margin) {
     constexpr double cells_a_line = 2, cuts_a_line = 8;

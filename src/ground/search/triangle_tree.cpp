@@ -11,8 +11,6 @@ namespace epura::search {
 
 namespace {
 
-constexpr std::size_t grain = 8192;
-
 /// A triangle and its position on the curve.
 struct Place {
   std::uint64_t code;
@@ -34,7 +32,7 @@ std::uint64_t spread(std::uint64_t x) {
 TriangleTree::TriangleTree(std::size_t count, const std::function<Box(int)>& box_of, const std::vector<int>& groups) {
   if (count == 0) return;
   UnsetVector<Bounds> bounds(count);
-  parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(count, grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) bounds[i] = rounded_outwards(box_of(static_cast<int>(i)));
   });
   UnsetVector<int> order = order_along_curve(bounds);
@@ -67,7 +65,7 @@ UnsetVector<int> TriangleTree::order_along_curve(const UnsetVector<Bounds>& boun
   for (std::size_t i = 0; i < bounds.size(); ++i) all.add(middle(i));
   const double cells = 0x1fffff / std::max({all.size().x, all.size().y, all.size().z, 1e-300});
   UnsetVector<std::uint64_t> codes(bounds.size());  // 63 bits
-  parallel_for(bounds.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(bounds.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const Vec3 at = (middle(i) - all.min) * cells;
       codes[i] = spread(static_cast<std::uint64_t>(at.x)) | spread(static_cast<std::uint64_t>(at.y)) << 1 |
@@ -86,7 +84,7 @@ UnsetVector<int> TriangleTree::order_along_curve(const UnsetVector<Bounds>& boun
     return std::tie(a.code, a.triangle) < std::tie(b.code, b.triangle);
   };
   UnsetVector<int> order(codes.size());
-  parallel_for(ends.size() - 1, 64, [&](std::size_t first, std::size_t last) {
+  parallel_for(ends.size() - 1, grain::heavy, [&](std::size_t first, std::size_t last) {
     for (std::size_t b = first; b < last; ++b) {
       const std::size_t begin = b == 0 ? 0 : ends[b - 1];
       std::sort(places.begin() + begin, places.begin() + ends[b], by_place);
@@ -108,7 +106,7 @@ TriangleTree::Bounds TriangleTree::rounded_outwards(const Box& box) {
 // The bounds of unused entries after the last triangle meet nothing.
 void TriangleTree::fill_leaves(const UnsetVector<int>& order, const UnsetVector<Bounds>& bounds) {
   constexpr Bounds nothing{{infinity, infinity, infinity}, {-infinity, -infinity, -infinity}};
-  parallel_for(leaves_.size(), grain / width, [&](std::size_t begin, std::size_t end) {
+  parallel_for(leaves_.size(), grain::light / width, [&](std::size_t begin, std::size_t end) {
     for (std::size_t l = begin; l < end; ++l)
       for (std::size_t i = 0; i < width; ++i) {
         const std::size_t at = l * width + i;
@@ -145,7 +143,7 @@ TriangleTree::Node TriangleTree::build(int node, int leaf, int leaves, const std
     const int half = leaves / 2;
     const auto build_left = [&] { left = build(node + 1, leaf, half, groups); };
     const auto build_right = [&] { right = build(right_child(node), leaf + half, leaves - half, groups); };
-    if (static_cast<std::size_t>(leaves) * width > grain) {
+    if (static_cast<std::size_t>(leaves) * width > grain::light) {
       parallel_both(build_left, build_right);
     } else {
       build_left();

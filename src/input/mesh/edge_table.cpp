@@ -14,8 +14,6 @@ namespace epura::mesh {
 
 namespace {
 
-constexpr std::size_t grain = 4096;
-
 /// A half-edge in the list of its lower vertex: the other vertex in the upper 32 bits, the half-edge in the lower ones,
 /// so that one comparison sorts by both.
 using Outgoing = std::uint64_t;
@@ -44,7 +42,7 @@ Buckets sorted_buckets(std::span<const int> corners, std::size_t vertex_count) {
     const auto [low, high] = std::minmax({corners[h], corners[next_in_triangle(h)]});
     buckets.entries[buckets.ends[low]++] = make_entry(high, h);
   }
-  parallel_for(vertex_count, grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(vertex_count, grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) std::sort(buckets.of(v).begin(), buckets.of(v).end());
   });
   return buckets;
@@ -63,13 +61,13 @@ EdgeTable make_edge_table(std::span<const int> corners, std::span<const int> pol
   const auto vertices = static_cast<std::size_t>(vertex_count);
   Buckets buckets = sorted_buckets(corners, vertices);
   std::vector<int> first(vertices + 1, 0);  // number of the first edge of each vertex
-  parallel_for(vertices, grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(vertices, grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) first[v + 1] = count_edges(buckets.of(v));
   });
   std::partial_sum(first.begin(), first.end(), first.begin());
 
   EdgeTable table{UnsetVector<MeshEdge>(static_cast<std::size_t>(first.back())), UnsetVector<int>(corners.size())};
-  parallel_for(vertices, grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(vertices, grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       int number = first[v] - 1;
       int last = -1;
@@ -133,7 +131,7 @@ std::vector<std::array<int, 2>> wires_of(const Mesh& mesh) {
 bool has_equal_triangles(const EdgeTable& table, std::span<const int> corners) {
   const auto apex = [&](int halfedge) { return corners[next_in_triangle(next_in_triangle(halfedge))]; };
   std::atomic<bool> found = false;
-  parallel_for(table.edges.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(table.edges.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     std::vector<int> apexes;
     for (std::size_t e = begin; e < end; ++e) {
       if (table.edges[e].count == 1) continue;

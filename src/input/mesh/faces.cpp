@@ -122,7 +122,7 @@ int drop_duplicate_faces(Faces& faces, int vertex_count, std::vector<TwinFaces>&
 
   std::vector<int> count(faces.size(), 1);  // of the faces that equal the first one of them; 0 for the others
   std::vector<int> next(faces.size(), -1);  // the second one, if possible of the opposite order
-  parallel_for(static_cast<std::size_t>(vertex_count), 4096, [&](std::size_t first, std::size_t last) {
+  parallel_for(static_cast<std::size_t>(vertex_count), grain::light, [&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       const std::span<Entry> bucket(entries.data() + (v == 0 ? 0 : bucket_end[v - 1]), entries.data() + bucket_end[v]);
       std::sort(bucket.begin(), bucket.end(), [&](const Entry& a, const Entry& b) {

@@ -35,7 +35,7 @@ Vec3 area_of(const PlacedMesh& placed, int triangle) {
 // For each triangle the normal of its face in the file, not normalised. A face that consists of slivers only has none.
 std::vector<Vec3> normals_of(const PlacedMesh& placed) {
   std::vector<Vec3> normals(placed.mesh.polygon.size());
-  parallel_for(normals.size(), 4096, [&](std::size_t begin, std::size_t end) {
+  parallel_for(normals.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) normals[t] = area_of(placed, static_cast<int>(t));
   });
   // Triangles of one face are consecutive.
@@ -133,7 +133,7 @@ Features find_features(const PlacedMesh& placed, double crease_angle) {
   const double min_fold = (crease_angle - angle_rounding) * std::numbers::pi / 180;
   Features features{placed, std::vector<char>(placed.mesh.edges.size()),
                     std::vector<End>(2 * placed.mesh.edges.size(), none)};
-  parallel_for(placed.mesh.edges.size(), 4096, [&](std::size_t begin, std::size_t end) {
+  parallel_for(placed.mesh.edges.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e)
       features.wanted[e] = is_feature(placed, placed.mesh.edges[e], normals, min_fold) ? 1 : 0;
   });

@@ -36,7 +36,7 @@ SurfaceEdges number_edges(std::span<const int> corners, const EdgeTable& table) 
 }
 
 void link_faces(Surface& surface, const std::vector<HalfedgeHandle>& of) {
-  parallel_for(surface.n_faces(), 16384, [&](std::size_t first, std::size_t last) {
+  parallel_for(surface.n_faces(), grain::light, [&](std::size_t first, std::size_t last) {
     for (std::size_t t = first; t < last; ++t) {
       const FaceHandle face(static_cast<int>(t));
       // The last half-edge ends at corner 0, so that OpenMesh's circulators start there.

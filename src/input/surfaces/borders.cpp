@@ -60,12 +60,11 @@ class BorderFinder {
   };
 
   void find_edges() {
-    constexpr std::size_t block = 8192;
     const std::size_t count = mesh_.edges.size();
-    std::vector<std::vector<BorderEdge>> found((count + block - 1) / block);
+    std::vector<std::vector<BorderEdge>> found((count + grain::light - 1) / grain::light);
     parallel_for(found.size(), 1, [&](std::size_t begin, std::size_t end) {
       for (std::size_t b = begin; b < end; ++b)
-        for (std::size_t e = b * block; e < std::min(count, (b + 1) * block); ++e)
+        for (std::size_t e = b * grain::light; e < std::min(count, (b + 1) * grain::light); ++e)
           if (const auto edge = border_edge(static_cast<int>(e))) found[b].push_back(*edge);
     });
     for (const auto& some : found) edges_.insert(edges_.end(), some.begin(), some.end());

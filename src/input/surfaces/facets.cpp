@@ -21,14 +21,12 @@ namespace epura::surfaces {
 
 namespace {
 
-constexpr std::size_t grain = 8192;
-
 bool is_before(const Vec3& a, const Vec3& b) { return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z); }
 
 // The result must not depend on which corner of a triangle comes first in the file.
 std::vector<std::array<int, 3>> begun_at_first_corners(std::vector<std::array<int, 3>> triangles,
                                                        const std::vector<Vec3>& points) {
-  parallel_for(triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(triangles.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       auto& corners = triangles[t];
       const auto first = std::min_element(corners.begin(), corners.end(),
@@ -44,7 +42,7 @@ Facets read_triangles(const mesh::Mesh& mesh) {
   Facets f;
   const std::size_t count = mesh.polygon.size();
   f.corners.resize(count);
-  parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(count, grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) f.corners[t] = mesh.triangle(static_cast<int>(t));
   });
   int last = -1;
@@ -102,7 +100,7 @@ std::vector<std::array<Side, 3>> sides_of(const mesh::Mesh& mesh, const std::vec
         if (low == edge.vertex[0] && high == edge.vertex[1]) sides[t][k] = {partner_at(mesh, triangles, t), number};
       }
   };
-  parallel_for(mesh.edges.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(mesh.edges.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) find_at(static_cast<int>(e));
   });
   return sides;
@@ -132,7 +130,7 @@ Triangles measured(const Facets& f) {
   const std::size_t count = f.corners.size();
   Triangles of{std::vector<Vec3>(count), std::vector<double>(count), std::vector<double>(count),
                std::vector<Key>(count)};
-  parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(count, grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const auto& [a, b, c] = f.corners[t];
       const Vec3 u = f.points[b] - f.points[a], v = f.points[c] - f.points[a];
@@ -225,7 +223,7 @@ class Flattening {
   // A triangle without an adjacent one in its plane is a facet, whatever the others are.
   [[nodiscard]] std::vector<char> lone() const {
     std::vector<char> is_lone(f_.corners.size());
-    parallel_for(f_.corners.size(), grain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(f_.corners.size(), grain::light, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t) {
         const PartSurface plane = plane_of(static_cast<int>(t));
         const auto stays_outside = [&](const Side& side) {
@@ -469,7 +467,7 @@ Facets make_facets(const mesh::Mesh& mesh) {
   facets = with_supports(Flattening(mesh, triangles, std::move(facets)).run());
   facets.normals = std::move(triangles.normals);
   facets.facets.resize(facets.first_triangle.size() - 1);
-  parallel_for(facets.facets.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(facets.facets.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) facets.facets[f] = facet_at(facets, triangles, static_cast<int>(f));
   });
   return with_cut_strips(std::move(facets));

@@ -34,7 +34,7 @@ class Result {
     PartFaces result;
     result.tolerance = facets_.tolerance / facets_.scale;
     result.faces.resize(regions_.size());
-    parallel_for(regions_.size(), 16, [&](std::size_t begin, std::size_t end) {
+    parallel_for(regions_.size(), grain::heavy, [&](std::size_t begin, std::size_t end) {
       for (std::size_t r = begin; r < end; ++r) result.faces[r] = face_of(regions_[r]);
     });
     result.face_of_triangle.reserve(facets_.facet_of.size());

@@ -17,8 +17,6 @@ namespace epura::surfaces {
 
 namespace {
 
-constexpr std::size_t facets_in_parallel = 4096;
-
 double angle_of_cosine(double cosine) { return std::sqrt(std::max(0.0, 2 * (1 - cosine))); }
 
 }  // namespace
@@ -130,7 +128,7 @@ Places places_of(const PartSurface& s, std::span<const Vec3> points, bool around
   const double at_origin = radius_near(s, points), radius = around_tube ? s.minor : at_origin;
   const double same = std::max(1e-5, 16 * allowance / radius);
   std::vector<double> angles(points.size());
-  parallel_for(points.size(), facets_in_parallel, [&](std::size_t begin, std::size_t end) {
+  parallel_for(points.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       // A point on the axis has no angle: it comes last.
       const Vec3 from = points[i] - s.origin;
@@ -316,7 +314,7 @@ void RegionGrower::take_enclosed(Region& region) {
 void RegionGrower::drop_misfits(Region& region) {
   const double allowance = allowance_of(facets_, region.sagitta);
   std::vector<char> stays(region.facets.size());
-  parallel_for(stays.size(), facets_in_parallel, [&](std::size_t begin, std::size_t end) {
+  parallel_for(stays.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       stays[i] = approximates(facets_, region.facets[i], region.surface, allowance, region.sagitta) ? 1 : 0;
   });

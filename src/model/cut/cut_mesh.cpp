@@ -122,7 +122,7 @@ Sides find_sides(const world::World& world, const scene::CuttingPlane& plane) {
   sides.distance.resize(world.points.size());
   const Vec3 foot = plane.point * sides.normalisation;
   const double slack = std::max(rounding_part, world.rounding * sides.normalisation);
-  parallel_for(world.points.size(), 8192, [&](std::size_t begin, std::size_t end) {
+  parallel_for(world.points.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       const double distance = glm::dot(plane.normal, world.points[v] * sides.normalisation - foot);
       sides.distance[v] = distance;

@@ -17,7 +17,6 @@ namespace {
 
 constexpr double float_rounding = 0x1p-22;
 constexpr double half_last_place = 0x1p-24;  // of a 32-bit float, relative
-constexpr std::size_t grain = 8192;
 
 double largest_component(const Vec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
 
@@ -61,7 +60,7 @@ std::vector<char> used_vertices(const mesh::Mesh& mesh, bool by_wires) {
 // Computes world positions of used vertices; false if one exceeds the range of doubles.
 bool place_vertices(const Placed& model, const std::vector<char>& used, std::span<Vec3> points) {
   std::atomic<bool> all_finite = true;
-  parallel_for(points.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(points.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) {
       points[v] = used[v] != 0 ? place(model.to_world, model.mesh->point(static_cast<int>(v))) : Vec3(0);
       if (!finite(points[v])) all_finite = false;
@@ -84,7 +83,7 @@ void append_triangles(World& world, const mesh::Mesh& mesh) {
   const auto first_triangle = static_cast<std::size_t>(world.first_triangle.back());
   const std::size_t count = mesh.polygon.size();
   world.triangles.resize(first_triangle + count);
-  parallel_for(count, grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(count, grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       std::array<int, 3> corners = mesh.triangle(static_cast<int>(t));
       for (int& v : corners) v += first_vertex;

@@ -45,7 +45,7 @@ void visit_parts(const search::CellGrid& grid, const drawing::Chain& chain, cons
 
 InkDensity::InkDensity(std::span<const drawing::Chain> chains, double cell_side, const Progress& progress)
     : grid_(grid_over(chains, cell_side)), ink_(static_cast<std::size_t>(grid_.count()), 0) {
-  parallel_for(chains.size(), 1024, progress, [&](std::size_t begin, std::size_t end) {
+  parallel_for(chains.size(), grain::medium, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (edges::is_within_surface(chains[i].kind)) continue;
       visit_parts(grid_, chains[i], [&](int cell, double length) {

@@ -310,7 +310,7 @@ CurveReport find_curves(std::vector<Chain>& chains, const CurveLimits& limits, c
                         const Progress& progress) {
   progress.begin("finding arcs", chains.size());
   std::vector<CurveReport> reports(chains.size());
-  parallel_for(chains.size(), 64, progress, [&](std::size_t begin, std::size_t end) {
+  parallel_for(chains.size(), grain::heavy, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       const std::span<const int> circles = known.of_chain.empty() ? std::span<const int>() : known.of_chain[i];
       const bool exact = !limits.exact.empty() && limits.exact[i] != 0;

@@ -174,7 +174,7 @@ std::vector<Piece> close_ends(const InkParts& kept, const TakenInk& taken, const
                               const ClosingLimits& limits, const Progress& progress) {
   const EndCloser closer(kept, taken, limits);
   std::vector<ClosedPart> closed(left.size());
-  parallel_for(left.size(), 1024, progress, [&](std::size_t begin, std::size_t end) {
+  parallel_for(left.size(), grain::medium, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i)
       closed[i] = {left[i], {closer.closing_of(left[i], 0), closer.closing_of(left[i], 1)}};
   });

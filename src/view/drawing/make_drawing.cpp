@@ -184,7 +184,7 @@ void add_segments(const visibility::ResolvedView& lines, const std::vector<Piece
   }
   drawing.segments.resize(pieces.size());
   drawing.crossings.resize(static_cast<std::size_t>(crossings));
-  parallel_for(pieces.size(), 1024, progress, [&](std::size_t begin, std::size_t end) {
+  parallel_for(pieces.size(), grain::medium, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       Segment& segment = drawing.segments[i];
       segment = segment_of(lines, pieces[i], crossing[i]);

@@ -17,7 +17,6 @@ namespace epura::drawing {
 
 namespace {
 
-constexpr std::size_t grain = 1024;
 // With more pieces than this in a cell, a prefilter costs more than it saves.
 constexpr std::size_t crowd_of_pieces = 96;
 
@@ -52,7 +51,7 @@ NearPrefilter::NearPrefilter(const std::vector<Piece>& pieces, const Polylines& 
 
 void NearPrefilter::measure(const Polylines& polylines, const std::vector<std::size_t>& ranked,
                             const AlongLimits& limits, const Progress& progress) {
-  parallel_for(ranked.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+  parallel_for(ranked.size(), grain::medium, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t line = begin; line < end; ++line) {
       Member* member = members_.data() + first(line);
       double at = 0;
@@ -71,7 +70,7 @@ void NearPrefilter::measure(const Polylines& polylines, const std::vector<std::s
 void NearPrefilter::find_last_along(const AlongLimits& limits, const Progress& progress) {
   const std::vector<Piece>& pieces = *pieces_;
   std::vector<Seen> seen(pieces.size());
-  parallel_for(members_.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+  parallel_for(members_.size(), grain::medium, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t turn = begin; turn < end; ++turn) {
       const Vec2& d = members_[turn].direction;
       seen[line_of(members_[turn].end)] = {{static_cast<float>(d.x), static_cast<float>(d.y)}, static_cast<int>(turn)};
@@ -82,7 +81,7 @@ void NearPrefilter::find_last_along(const AlongLimits& limits, const Progress& p
       search::grid_over_lines(pieces, {static_cast<double>(pieces.size()) + 1, 4 * distance, cuts_a_piece, HUGE_VAL});
   // In the order of pieces, since neighbours in that order mostly lie side by side.
   const auto visit_pieces = [&](const auto& visit) {
-    parallel_for(pieces.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+    parallel_for(pieces.size(), grain::medium, progress, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         if (seen[i].turn >= 0) visit(static_cast<int>(i));
     });
@@ -94,7 +93,7 @@ void NearPrefilter::find_last_along(const AlongLimits& limits, const Progress& p
       });
     });
   });
-  parallel_for(by_cell.size(), grain, progress, [&](std::size_t begin, std::size_t end) {
+  parallel_for(by_cell.size(), grain::medium, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell)
       std::sort(by_cell[cell].begin(), by_cell[cell].end(),
                 [](const Entry& a, const Entry& b) { return a.turn > b.turn; });

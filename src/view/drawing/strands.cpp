@@ -200,7 +200,7 @@ DirectionClasses::DirectionClasses(const std::vector<Piece>& pieces, double spre
       members_(pieces.size()) {
   const std::size_t all = classes_ * turns;
   std::vector<std::size_t> turn(pieces.size());
-  parallel_for(pieces.size(), 1024, progress, [&](std::size_t begin, std::size_t end) {
+  parallel_for(pieces.size(), grain::medium, progress, [&](std::size_t begin, std::size_t end) {
     // Lines along the sides of the paper are in the middle of a turn.
     for (std::size_t i = begin; i < end; ++i)
       turn[i] = static_cast<std::size_t>(direction_of(pieces[i]) / half_turn * static_cast<double>(all) + 0.5) % all;

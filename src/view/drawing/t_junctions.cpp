@@ -468,7 +468,7 @@ std::vector<SettledEnds> move_t_junctions(const visibility::ResolvedView& lines,
   const LinesInFront in_front(lines, paper, pieces, contours, ends);
   const ChangeSearch search(contours, in_front);
   std::vector<std::optional<Change>> changes(ends.size());
-  parallel_for(ends.size(), 64, [&](std::size_t begin, std::size_t end) {
+  parallel_for(ends.size(), grain::heavy, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) changes[i] = search.change_at(ends[i]);
   });
   TurnedPieces turned(lines, paper, pieces, contours);

@@ -17,7 +17,6 @@ namespace epura::edges {
 
 namespace {
 
-constexpr std::size_t grain = 8192;
 // One edge in this many is tested before all others, which rejects most bodies that are not convex.
 constexpr std::size_t sample_step = 64;
 
@@ -106,7 +105,7 @@ class ConvexityTest {
   void test_edges(Choose choose) {
     for (int model = 0; model < static_cast<int>(world_.models.size()); ++model) {
       const auto& edges = world_.models[model].mesh->edges;
-      parallel_for(edges.size(), grain, [&](std::size_t begin, std::size_t end) {
+      parallel_for(edges.size(), grain::light, [&](std::size_t begin, std::size_t end) {
         for (std::size_t e = begin; e < end; ++e)
           if (choose(e)) test_edge(model, edges[e]);
       });
@@ -156,7 +155,7 @@ class ConvexityTest {
   }
 
   void test_triangles() {
-    parallel_for(world_.triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
+    parallel_for(world_.triangles.size(), grain::light, [&](std::size_t begin, std::size_t end) {
       for (std::size_t t = begin; t < end; ++t)
         if (!is_refuted(of(static_cast<int>(t)))) test_triangle(static_cast<int>(t));
     });

@@ -98,7 +98,7 @@ CrossingCandidates crossing_candidates(const world::World& world, double normali
   progress.expect_time();
   keep_convex(world, points, bodies, contact, apart);
   std::vector<char> may_cross(world.triangles.size());
-  parallel_for(may_cross.size(), 8192, [&](std::size_t begin, std::size_t end) {
+  parallel_for(may_cross.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) {
       const auto& [a, b, c] = world.triangles[t];
       may_cross[t] = apart[bodies.of_triangle[t]] == 0 && !is_low(points[a], points[b], points[c], contact) ? 1 : 0;

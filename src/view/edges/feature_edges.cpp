@@ -432,7 +432,7 @@ std::vector<std::optional<EdgeKind>> feature_edges(const view::ProjectedScene& v
   if (has_weak) weak.crease = FoldLimit(options.weak_angle - angle_rounding);
   std::vector<std::optional<EdgeKind>> kinds(edges.size());
   std::vector<char> is_weak(has_weak ? edges.size() : 0, 0);
-  parallel_for(edges.size(), 4096, progress, [&](std::size_t begin, std::size_t end) {
+  parallel_for(edges.size(), grain::light, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
       // What is no crease with the weak angle, is the same with the other.
       kinds[e] = weak.kind_of(edges[e]);

@@ -22,7 +22,6 @@ namespace {
 
 // Smaller patches have few pairs of triangles to skip.
 constexpr std::size_t min_of_patch = 1024;
-constexpr std::size_t triangles_at_once = 8192;
 
 /// The coordinate plane over which a triangle lies, and the side to which it faces: 0 to 5.
 using Facing = std::int8_t;
@@ -53,7 +52,7 @@ class GraphPatches {
         triangles_(triangles),
         facing_(world.triangles.size(), no_facing),
         patch_(world.triangles.size(), -1) {
-    parallel_for(triangles.size(), triangles_at_once, [&](std::size_t begin, std::size_t end) {
+    parallel_for(triangles.size(), grain::light, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i)
         if (taken.empty() || taken[i] < 0) facing_[triangles[i]] = facing_of(triangles[i]);
     });
@@ -147,11 +146,10 @@ class GraphPatches {
   [[nodiscard]] std::vector<BoundarySide> find_boundary() const {
     std::vector<BoundarySide> all;
     visit_edges([&](const mesh::Mesh& mesh, int first, int first_vertex) {
-      std::vector<std::vector<BoundarySide>> found(mesh.edges.size() / triangles_at_once + 1);
+      std::vector<std::vector<BoundarySide>> found(mesh.edges.size() / grain::light + 1);
       parallel_for(found.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t part = begin; part < end; ++part)
-          for (std::size_t e = part * triangles_at_once;
-               e < std::min(mesh.edges.size(), (part + 1) * triangles_at_once); ++e)
+          for (std::size_t e = part * grain::light; e < std::min(mesh.edges.size(), (part + 1) * grain::light); ++e)
             add_sides(mesh.triangles_of(mesh.edges[e]), first,
                       {first_vertex + mesh.edges[e].vertex[0], first_vertex + mesh.edges[e].vertex[1]}, found[part]);
       });

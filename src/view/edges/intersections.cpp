@@ -53,7 +53,7 @@ class Crossings {
   /// built first, and needs the memory.
   void find_planes(const std::vector<int>& triangles) {
     planes_.resize(world_.triangles.size());
-    parallel_for(triangles.size(), 8192, [&](std::size_t begin, std::size_t end) {
+    parallel_for(triangles.size(), grain::light, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) planes_[triangles[i]] = plane(triangles[i]);
     });
   }
@@ -214,7 +214,7 @@ bool boxes_overlap(const Box& a, const Box& b) {
 UnsetVector<Vec3> normalised_points(const world::World& world, double normalisation) {
   const Vec3 middle = middle_of(world, normalisation);
   UnsetVector<Vec3> points(world.points.size());
-  parallel_for(points.size(), 8192, [&](std::size_t begin, std::size_t end) {
+  parallel_for(points.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) points[v] = world.points[v] * normalisation - middle;
   });
   return points;

@@ -121,7 +121,7 @@ bool SliverRule::is_of_a_step(int triangle) const {
 Slivers::Slivers(const EdgeSurroundings& around, const view::ProjectedScene& view, const Progress& progress)
     : around_(around), is_sliver_(around.mesh().polygon.size()) {
   const SliverRule rule(around, view);
-  parallel_for(is_sliver_.size(), 8192, progress, [&](std::size_t begin, std::size_t end) {
+  parallel_for(is_sliver_.size(), grain::light, progress, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) is_sliver_[t] = rule.holds_for(static_cast<int>(t)) ? 1 : 0;
   });
 }

@@ -261,7 +261,7 @@ class MovedEnds {
     check(vertices.front() >= first && vertices.back() < static_cast<int>(view_.vertices.size()),
           "whole contours end at vertices of their model");
     std::vector<std::optional<Vec3>> places(vertices.size());
-    parallel_for(vertices.size(), 256, [&](std::size_t begin, std::size_t end) {
+    parallel_for(vertices.size(), grain::heavy, [&](std::size_t begin, std::size_t end) {
       for (std::size_t i = begin; i < end; ++i) places[i] = contours.moved(vertices[i] - first);
     });
     const auto number = [&](int v) {

@@ -23,7 +23,7 @@ std::array<int, 2> ends_of(const EdgeSurroundings& around, const mesh::MeshEdge&
 // Negative for an edge that does not have two triangles.
 std::vector<double> folds_of(const EdgeSurroundings& around, const mesh::Mesh& mesh) {
   std::vector<double> folds(mesh.edges.size(), -1);
-  parallel_for(folds.size(), 4096, [&](std::size_t begin, std::size_t end) {
+  parallel_for(folds.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) {
       const mesh::MeshEdge& edge = mesh.edges[e];
       if (edge.count != 2) continue;
@@ -127,7 +127,7 @@ std::vector<char> tangent_edges(const EdgeSurroundings& around, double crease_an
   const Facets facets(mesh, folds);
   const TangencyJudge judge{around, mesh, folds, facets, crease_angle};
   std::vector<char> tangent(mesh.edges.size());
-  parallel_for(tangent.size(), 4096, [&](std::size_t begin, std::size_t end) {
+  parallel_for(tangent.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t e = begin; e < end; ++e) tangent[e] = judge.is_tangent(e) ? 1 : 0;
   });
   return tangent;

@@ -22,7 +22,6 @@ constexpr double nearest_w = 0x1p-44, nearest_w_from_centre = 0x1p-100;
 const double cone_tangent = std::sqrt(3.0);
 // Triangles are cut at 1.5 times the window, so that the edges of the cut lie outside the picture.
 constexpr double guard = 1.5;
-constexpr std::size_t grain = 8192;
 constexpr double grid_half = (1 << 30) - 2;
 constexpr double contact_cells = 4;
 constexpr double contact_part = 0x1p-29;
@@ -95,7 +94,7 @@ UnsetVector<ViewTriangle> clipped_triangles(ProjectedScene& view, const world::W
   std::vector<int> planes = clipping == Clipping::everywhere ? view.idle_planes : std::vector<int>();
   planes.insert(planes.end(), view.triangle_planes.begin(), view.triangle_planes.end());
   UnsetVector<ViewTriangle> triangles(planes.empty() ? world.triangles.size() : 0);
-  parallel_for(triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(triangles.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t f = begin; f < end; ++f) triangles[f] = {world.triangles[f], static_cast<int>(f)};
   });
   if (planes.empty()) return triangles;
@@ -194,7 +193,7 @@ void lay_out(ProjectedScene& view) {
   const std::size_t first = view.vertices.size();
   view.vertices.resize(view.clipper.vertices.size());
   view.grid.resize(view.clipper.vertices.size());
-  parallel_for(view.vertices.size() - first, grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(view.vertices.size() - first, grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = first + begin; v < first + end; ++v) {
       const Mapped& p = view.clipper.vertices[v];
       PageVertex page{0, 0, 0, p.w};
@@ -223,7 +222,7 @@ Contact contact_of(const world::World& world, const ProjectedScene& view, std::o
 // off its line. It hides nothing, like the whole triangle.
 void flatten_pieces_edge_on(ProjectedScene& view, const world::World& world) {
   const double resolution = page_resolution(world, view);
-  parallel_for(view.triangles.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(view.triangles.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       ViewTriangle& triangle = view.triangles[i];
       const std::array<int, 3>& whole = world.triangles[static_cast<std::size_t>(triangle.source)];
@@ -239,7 +238,7 @@ ProjectedScene project_scene(const world::World& world, const projection::Projec
                              const ViewLimits& limits, Clipping clipping) {
   const ViewMap map = make_view_map(projection, world.box);
   UnsetVector<Mapped> mapped(world.points.size());
-  parallel_for(world.points.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(world.points.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v) mapped[v] = map(world.points[v]);
   });
   return project_scene(world, projection, limits, std::move(mapped), clipping);

@@ -97,7 +97,7 @@ class Middles {
 std::vector<char> have_hidden_middles(const world::World& world, const view::ProjectedScene& view,
                                       const edges::FeatureEdges& drawn, std::span<const int> asked) {
   Middles middles(world, view, drawn, asked);
-  parallel_for(view.triangles.size(), 8192, [&](std::size_t begin, std::size_t end) {
+  parallel_for(view.triangles.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t t = begin; t < end; ++t) middles.hide_behind(view.triangles[t]);
   });
   return middles.hidden();

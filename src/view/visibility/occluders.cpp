@@ -241,7 +241,7 @@ bool OccluderGrid::cover_by_sheets(const CellLoad& load, Level& level) const {
   if (covers_ == Covers::none) return false;
   const search::CellGrid& grid = level.grid;
   std::atomic<bool> any = false;
-  parallel_for(static_cast<std::size_t>(grid.count()), 64, [&](std::size_t begin, std::size_t end) {
+  parallel_for(static_cast<std::size_t>(grid.count()), grain::heavy, [&](std::size_t begin, std::size_t end) {
     for (std::size_t cell = begin; cell < end; ++cell) {
       const int number = static_cast<int>(cell);
       if (pairs_in(level, load, number) <= max_pairs) continue;

@@ -208,7 +208,7 @@ template <class SpansOf>
 void add_hidden_by_facets(const std::vector<int>& numbers, const SpansOf& with_facets, HiddenSpans& hidden,
                           const Progress& progress) {
   std::vector<Spans> found(numbers.size());
-  parallel_for(numbers.size(), 64, [&](std::size_t begin, std::size_t end) {
+  parallel_for(numbers.size(), grain::heavy, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end && !progress.is_out_of_time(); ++i) found[i] = with_facets(numbers[i]);
   });
   for (std::size_t i = 0; i < numbers.size(); ++i)

@@ -22,7 +22,6 @@ constexpr int usual_bits = 30;
 constexpr double forgiven = 4;
 // Half a unit in the last place of floats near 1.
 constexpr double float_rounding = 0x1p-24;
-constexpr std::size_t grain = 8192;
 
 view::ProjectedScene copy_for_visibility(const view::ProjectedScene& view) {
   view::ProjectedScene copy;
@@ -43,7 +42,7 @@ void lay_on_grid(view::ProjectedScene& view, int bits) {
     if (!(std::abs(cells) <= 2 * half)) return 0;
     return static_cast<std::int32_t>(std::nearbyint(std::clamp(cells, 1 - half, half - 1)));
   };
-  parallel_for(view.vertices.size(), grain, [&](std::size_t begin, std::size_t end) {
+  parallel_for(view.vertices.size(), grain::light, [&](std::size_t begin, std::size_t end) {
     for (std::size_t v = begin; v < end; ++v)
       view.grid[v] = {to_grid(view.vertices[v].x / view.cell), to_grid(view.vertices[v].y / view.cell)};
   });
