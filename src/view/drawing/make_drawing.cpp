@@ -218,7 +218,7 @@ void find_looks(std::vector<Piece>& pieces, const visibility::ResolvedView& line
 std::vector<char> are_moved(const std::vector<Piece>& pieces, const visibility::ResolvedView& lines) {
   std::vector<char> moved;
   moved.reserve(pieces.size());
-  for (const Piece& piece : pieces) moved.push_back(is_moved(lines.drawn.edges[piece.edge]) ? 1 : 0);
+  for (const Piece& piece : pieces) moved.push_back(lines.drawn.edges[piece.edge].is_moved() ? 1 : 0);
   return moved;
 }
 
@@ -305,9 +305,7 @@ std::vector<Piece> pieces_of(const ViewDrawing& drawing, const NearLines& near) 
 
 Vec2 position_on_paper(const view::ProjectedScene& view, const view::PaperMap& paper, const edges::FeatureEdge& edge,
                        double s) {
-  const auto end = [&](std::size_t i) -> const view::PageVertex& {
-    return view.vertices[edge.shown[i] < 0 ? edge.vertex[i] : edge.shown[i]];
-  };
+  const auto end = [&](std::size_t i) -> const view::PageVertex& { return view.vertices[edge.drawn_vertex(i)]; };
   if (s == 0) return paper(end(0));
   if (s == 1) return paper(end(1));
   const view::PageVertex& p = end(0);

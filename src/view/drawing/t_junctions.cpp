@@ -174,7 +174,7 @@ class ContourPieces {
   // it.
   [[nodiscard]] bool is_hidden_beyond(const Step& visible) const {
     const Piece& piece = pieces_[visible.piece];
-    if (!piece.visible || !is_moved(edge_of(lines_, piece))) return false;
+    if (!piece.visible || !edge_of(lines_, piece).is_moved()) return false;
     const auto next = after(visible);
     return next && !pieces_[next->piece].visible && edge_of(lines_, pieces_[next->piece]).hollow == 0;
   }
@@ -247,9 +247,7 @@ class LinesInFront {
   // Depth, growing towards the viewer, of a part of a piece as it is drawn.
   [[nodiscard]] double depth_at(const Piece& piece, double part) const {
     const edges::FeatureEdge& edge = edge_of(lines_, piece);
-    const auto depth = [&](std::size_t end) {
-      return lines_.view.vertices[edge.shown[end] < 0 ? edge.vertex[end] : edge.shown[end]].depth;
-    };
+    const auto depth = [&](std::size_t end) { return lines_.view.vertices[edge.drawn_vertex(end)].depth; };
     const double s = piece.s[0] + part * (piece.s[1] - piece.s[0]);
     return depth(0) + s * (depth(1) - depth(0));
   }
@@ -460,8 +458,8 @@ class TurnedPieces {
 
 std::vector<SettledEnds> move_t_junctions(const visibility::ResolvedView& lines, const view::PaperMap& paper,
                                           std::vector<Piece>& pieces) {
-  const auto& edges = lines.drawn.edges;
-  if (std::none_of(edges.begin(), edges.end(), is_moved)) return std::vector<SettledEnds>(pieces.size());
+  if (std::ranges::none_of(lines.drawn.edges, &edges::FeatureEdge::is_moved))
+    return std::vector<SettledEnds>(pieces.size());
   const ContourPieces contours(lines, paper, pieces);
   const std::vector<Step> ends = contours.hidden_ends();
   if (ends.empty()) return std::vector<SettledEnds>(pieces.size());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 #include "edges/edge_kind.hpp"
@@ -37,7 +38,11 @@ struct FeatureEdge {
   float clear = 0;   ///< distance towards the viewer, in units of the file, in which the surface does not hide its
                      ///< contour; 0 where that is not known
 
-  /// The parameters of that part.
+  /// Whether it is drawn in another place than its edge of the mesh.
+  [[nodiscard]] bool is_moved() const { return shown[0] >= 0 || shown[1] >= 0; }
+  /// The vertex of the view at which an end is drawn.
+  [[nodiscard]] int drawn_vertex(std::size_t end) const { return shown[end] < 0 ? vertex[end] : shown[end]; }
+  /// The parameters of the hollow part.
   [[nodiscard]] std::array<double, 2> hollow_part() const {
     return hollow > 0 ? std::array{0.0, double{hollow}} : std::array{1.0 + double{hollow}, 1.0};
   }

@@ -387,7 +387,7 @@ class MovedEnds {
       std::array<Vec2, 2> in_mesh{}, drawn{};
       for (std::size_t end = 0; end < 2; ++end) {
         in_mesh[end] = on_page(edge.vertex[end]);
-        drawn[end] = edge.shown[end] < 0 ? in_mesh[end] : on_page(edge.shown[end]);
+        drawn[end] = on_page(edge.drawn_vertex(end));
       }
       from_drawn = std::min(from_drawn, distance_to_segment(on_page(vertex), drawn[0], drawn[1]));
       from_mesh = std::min(from_mesh, distance_to_segment(on_page(shown), in_mesh[0], in_mesh[1]));
