@@ -6,9 +6,9 @@
 #include <numeric>
 #include <utility>
 
+#include "drawing/chains.hpp"
 #include "drawing/curve_part.hpp"
 #include "drawing/drawing.hpp"
-#include "drawing/thin.hpp"
 #include "sheet/partial_mark.hpp"
 #include "views/budget.hpp"
 

@@ -141,12 +141,12 @@ bool is_most_visible(std::span<const Stretch> spurious, bool before, bool after,
 
 }  // namespace
 
-void vote_on_visibility(std::vector<Piece>& pieces, const std::vector<char>& is_moved, double most,
-                        const Progress& progress) {
+std::vector<Piece> vote_on_visibility(std::vector<Piece> pieces, const std::vector<char>& is_moved, double most,
+                                      const Progress& progress) {
   bool any = false;
   for (std::size_t i = 0; i < pieces.size() && !any; ++i)
     any = is_moved[i] != 0 && pieces[i].drawn && length_of(pieces[i]) <= most;
-  if (!any) return;
+  if (!any) return pieces;
   const auto is_short = [&](const Stretch& stretch) { return stretch.is_moved && stretch.length <= most; };
   std::vector<std::pair<int, bool>> turned;
   Runs(pieces, is_moved, progress).visit([&](const std::vector<Stretch>& stretches) {
@@ -165,6 +165,7 @@ void vote_on_visibility(std::vector<Piece>& pieces, const std::vector<char>& is_
     check(pieces[piece].drawn, "what is turned has ink");
     pieces[piece].visible = visible;
   }
+  return pieces;
 }
 
 LeftInk drop_dangles(std::vector<Piece> pieces, const std::vector<signed char>& strength,

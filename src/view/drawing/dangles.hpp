@@ -13,8 +13,8 @@ namespace epura::drawing {
 /// Where a line that is not drawn in its place on the mesh changes between visible and hidden and back within `most`
 /// mm, less than anyone sees, it does not; where it does so again and again, it is one of both. `is_moved` is by piece.
 /// Throws OutOfTime.
-void vote_on_visibility(std::vector<Piece>& pieces, const std::vector<char>& is_moved, double most,
-                        const Progress& progress);
+std::vector<Piece> vote_on_visibility(std::vector<Piece> pieces, const std::vector<char>& is_moved, double most,
+                                      const Progress& progress);
 
 /// Drops polylines no longer than the distance whose ends both lie within that distance of longer lines that are drawn,
 /// and are visible if they are. Links that continue no line stay unless they are too short to be seen, or begin

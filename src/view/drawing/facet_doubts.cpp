@@ -92,7 +92,7 @@ std::vector<char> closing_gaps(const std::vector<Piece>& pieces, double distance
 }
 
 // Joins pieces that continue each other on an edge.
-void join_on_edges(std::vector<Piece>& pieces) {
+std::vector<Piece> joined_on_edges(std::vector<Piece> pieces) {
   std::size_t kept = 0;
   for (const Piece& piece : pieces) {
     Piece* last = kept > 0 ? &pieces[kept - 1] : nullptr;
@@ -104,12 +104,13 @@ void join_on_edges(std::vector<Piece>& pieces) {
     }
   }
   pieces.resize(kept);
+  return pieces;
 }
 
 }  // namespace
 
-void settle_doubts(std::vector<Piece>& pieces, double distance, const Progress& progress) {
-  if (std::ranges::none_of(pieces, &Piece::by_facets)) return;
+std::vector<Piece> settle_doubts(std::vector<Piece> pieces, double distance, const Progress& progress) {
+  if (std::ranges::none_of(pieces, &Piece::by_facets)) return pieces;
   const std::vector<char> closes =
       distance > 0 ? closing_gaps(pieces, distance, progress) : std::vector<char>(pieces.size(), 0);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -117,7 +118,7 @@ void settle_doubts(std::vector<Piece>& pieces, double distance, const Progress& 
     pieces[i].visible = closes[i] != 0;
     pieces[i].by_facets = false;
   }
-  join_on_edges(pieces);
+  return joined_on_edges(std::move(pieces));
 }
 
 }  // namespace epura::drawing

@@ -14,6 +14,6 @@ namespace epura::drawing {
 /// visible lines run beside most of it, within `distance` mm, and else visible, since it closes a gap.
 /// A distance of 0 hides all. Joins pieces that continue each other on an edge; the order of edges stays. Throws
 /// OutOfTime.
-void settle_doubts(std::vector<Piece>& pieces, double distance, const Progress& progress);
+std::vector<Piece> settle_doubts(std::vector<Piece> pieces, double distance, const Progress& progress);
 
 }  // namespace epura::drawing

@@ -5,12 +5,12 @@
 #include <optional>
 #include <span>
 #include <tuple>
+#include <utility>
 
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "drawing/chains.hpp"
-#include "drawing/circles_edge_on.hpp"
 #include "drawing/continue_lines.hpp"
 #include "drawing/dangles.hpp"
 #include "drawing/edge_on.hpp"
@@ -206,12 +206,13 @@ int strength_of(const Piece& piece, const visibility::ResolvedView& lines, const
 }
 
 // Whether each piece has ink, and which ones are steps between the rims of a face.
-void find_looks(std::vector<Piece>& pieces, const visibility::ResolvedView& lines, const NearLines& near) {
+std::vector<Piece> with_looks(std::vector<Piece> pieces, const visibility::ResolvedView& lines, const NearLines& near) {
   const FacesEdgeOn edge_on(lines);
   for (Piece& piece : pieces) {
     piece.is_step = edge_on.has_step(lines.drawn.edges[piece.edge]);
     if (near.strength) piece.drawn = strength_of(piece, lines, near) >= 0;
   }
+  return pieces;
 }
 
 // Whether each piece is drawn in another place than its edge of the mesh.
@@ -247,11 +248,11 @@ double length_of_all(const std::vector<Piece>& pieces) {
   return length;
 }
 
-// Draws one line where a person sees one. Returns within which distance of ink that is left out there is ink, mm; 0 if
-// none is left out or added, but for what closes gaps that rounding leaves.
-double join_where_near(std::vector<Piece>& pieces, const visibility::ResolvedView& lines, const NearLines& near,
-                       const Coincidence& limits, const Progress& progress) {
-  if (!(near.distance > 0)) return 0;
+// Draws one line where a person sees one. The distance is 0 if no ink is left out or added, but for what closes gaps
+// that rounding leaves.
+LeftInk join_where_near(std::vector<Piece> pieces, const visibility::ResolvedView& lines, const NearLines& near,
+                        const Coincidence& limits, const Progress& progress) {
+  if (!(near.distance > 0)) return {std::move(pieces)};
   const std::vector<signed char> ranks = ranks_of(pieces, lines, near);
   const double before = length_of_all(pieces);
   pieces = join_near(std::move(pieces), ranks, near.distance, limits.min, progress);
@@ -267,7 +268,7 @@ double join_where_near(std::vector<Piece>& pieces, const visibility::ResolvedVie
   take(continue_lines(std::move(pieces), models, {near.distance, limits.tolerance}, progress));
   const std::vector<signed char> left = ranks_of(pieces, lines, near);
   take(drop_dangles(std::move(pieces), left, {near.distance, limits.tolerance}, progress));
-  return within;
+  return {std::move(pieces), within};
 }
 
 // Where a contour is moved, it may change between visible and hidden that much too early or too late, unless a person
@@ -285,9 +286,10 @@ std::vector<Piece> unmerged_pieces(const visibility::ResolvedView& lines, const 
   if (!keep_hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
   check(keep_hidden || std::ranges::all_of(pieces, &Piece::visible),
         "hidden pieces are kept only where they are asked for");
-  find_looks(pieces, lines, options.near);
-  vote_on_visibility(pieces, are_moved(pieces, lines), longest_spurious_change(options.near.distance, moved), progress);
-  return pieces;
+  pieces = with_looks(std::move(pieces), lines, options.near);
+  const std::vector<char> in_other_places = are_moved(pieces, lines);
+  return vote_on_visibility(std::move(pieces), in_other_places, longest_spurious_change(options.near.distance, moved),
+                            progress);
 }
 
 // The pieces of a drawing, by place alone.
@@ -344,12 +346,13 @@ ViewDrawing make_drawing(const visibility::ResolvedView& lines, const view::Pape
   std::vector<Piece> pieces = unmerged_pieces(lines, paper, options, progress);
   measure_straight_lines(pieces, lines, limits.tolerance);
   drawing.distances.contours_moved = std::max(lines.drawn.moved * paper.scale, moved_by_refinement(lines, paper));
-  if (options.near.distance > 0)
-    drawing.distances.joined_within = draw_circles_once(lines, paper, limits.min, pieces, progress);
-  pieces = resolve_coincident(std::move(pieces), limits.tolerance, limits.min, progress);
+  LeftInk left{std::move(pieces)};
+  if (options.near.distance > 0) left = draw_circles_once(lines, paper, limits.min, std::move(left.pieces), progress);
+  pieces = resolve_coincident(std::move(left.pieces), limits.tolerance, limits.min, progress);
   if (!options.hidden) std::erase_if(pieces, [](const Piece& piece) { return !piece.visible; });
-  drawing.distances.joined_within =
-      std::max(drawing.distances.joined_within, join_where_near(pieces, lines, options.near, limits, progress));
+  LeftInk joined = join_where_near(std::move(pieces), lines, options.near, limits, progress);
+  pieces = std::move(joined.pieces);
+  drawing.distances.joined_within = std::max(left.within, joined.within);
   drawing.distances.coincident = limits.tolerance;
   add_segments(lines, pieces, drawing, progress);
   pieces = std::vector<Piece>();  // to make room for the chains

@@ -17,7 +17,7 @@ MovedContours::MovedContours(const visibility::ResolvedView& lines, const view::
                              const std::vector<Piece>& pieces)
     : tolerance_(tolerance), pieces_(pieces) {
   for (std::size_t i = 0; i < pieces.size(); ++i)
-    if (pieces[i].visible && is_moved(edge_of(lines, pieces[i])))
+    if (pieces[i].visible && edge_of(lines, pieces[i]).is_moved())
       contours_.push_back({i,
                            {in_mesh(lines, paper, pieces[i], 0), in_mesh(lines, paper, pieces[i], 1)},
                            {pieces[i].from, pieces[i].to}});

@@ -16,9 +16,6 @@
 
 namespace epura::drawing {
 
-/// Whether a contour is drawn in another place than its edge of the mesh.
-inline bool is_moved(const edges::FeatureEdge& edge) { return edge.shown[0] >= 0 || edge.shown[1] >= 0; }
-
 inline const edges::FeatureEdge& edge_of(const visibility::ResolvedView& lines, const Piece& piece) {
   return lines.drawn.edges[static_cast<std::size_t>(piece.edge)];
 }

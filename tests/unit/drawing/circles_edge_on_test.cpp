@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "drawing/circles_edge_on.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <numbers>
 
 #include "base/nearest.hpp"
+#include "drawing/edge_on.hpp"
 #include "drawing/make_drawing.hpp"
 #include "mesh/mesh.hpp"
 #include "shapes.hpp"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <utility>
 
 #include "base/nearest.hpp"
 #include "drawing/dangles.hpp"
@@ -251,7 +252,8 @@ Pieces line_with_a_part(double length, bool visible) {
 }
 
 std::size_t count_visible(Pieces pieces, bool is_moved = true) {
-  drawing::vote_on_visibility(pieces, std::vector<char>(pieces.size(), is_moved ? 1 : 0), 0.01, {});
+  const std::vector<char> moved(pieces.size(), is_moved ? 1 : 0);
+  pieces = drawing::vote_on_visibility(std::move(pieces), moved, 0.01, {});
   return static_cast<std::size_t>(
       std::count_if(pieces.begin(), pieces.end(), [](const Piece& p) { return p.visible; }));
 }

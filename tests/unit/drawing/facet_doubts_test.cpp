@@ -5,6 +5,7 @@
 
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "shapes.hpp"
 
@@ -21,7 +22,7 @@ Piece piece(int edge, double from, double to, double height, bool by_facets = fa
 }
 
 std::vector<Piece> settled(std::vector<Piece> pieces, double distance = 0.1) {
-  drawing::settle_doubts(pieces, distance, {});
+  pieces = drawing::settle_doubts(std::move(pieces), distance, {});
   for (const Piece& p : pieces) EXPECT_FALSE(p.by_facets);
   return pieces;
 }

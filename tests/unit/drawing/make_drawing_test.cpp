@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "drawing/breaks.hpp"
+#include "drawing/chains.hpp"
 #include "drawing/clip_drawing.hpp"
-#include "drawing/thin.hpp"
 #include "shapes.hpp"
 
 namespace epura::test::make_drawing_test {

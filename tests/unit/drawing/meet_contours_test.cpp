@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "drawing/meet_contours.hpp"
-
 #include <gtest/gtest.h>
 
+#include "drawing/settled_pieces.hpp"
 #include "shapes.hpp"
 
 namespace epura::test::meet_contours_test {
