@@ -35,7 +35,6 @@
 #include "projection/answer.hpp"
 #include "projection/matrices.hpp"
 #include "refine/refine_world.hpp"
-#include "visibility/clear_contours.hpp"
 #include "visibility/folds.hpp"
 #include "visibility/visibility.hpp"
 #include "world/facet_heights.hpp"

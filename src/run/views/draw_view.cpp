@@ -24,7 +24,6 @@
 #include "views/details.hpp"
 #include "views/time_for_lines.hpp"
 #include "views/view_error.hpp"
-#include "visibility/clear_contours.hpp"
 #include "visibility/folds.hpp"
 #include "visibility/height_field.hpp"
 #include "visibility/in_sight.hpp"

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "refine/refine_world.hpp"
-#include "visibility/clear_contours.hpp"
 #include "visibility/folds.hpp"
 
 namespace epura::laboratory {

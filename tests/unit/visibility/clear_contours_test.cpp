@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "visibility/clear_contours.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
@@ -10,6 +8,7 @@
 #include "at_length.hpp"
 #include "base/nearest.hpp"
 #include "skewed_torus.hpp"
+#include "visibility/folds.hpp"
 
 namespace epura::test::clear_contours_test {
 namespace {
