@@ -10,7 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "output/metadata.hpp"
+#include "output/of_sheet.hpp"
 #include "scene/choices.hpp"
 #include "scene/line_roles.hpp"
 #include "sheet/phrases.hpp"

@@ -13,13 +13,12 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "output/metadata.hpp"
+#include "output/of_sheet.hpp"
 #include "output/page_lines.hpp"
 #include "output/svg_lettering.hpp"
 #include "output/svg_path_text.hpp"
 #include "output/svg_paths.hpp"
 #include "output/svg_tree.hpp"
-#include "output/text_place.hpp"
 #include "output/write.hpp"
 #include "output/xml_text.hpp"
 #include "scene/line_roles.hpp"

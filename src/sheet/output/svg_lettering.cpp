@@ -7,10 +7,10 @@
 #include <string_view>
 
 #include "base/text.hpp"
+#include "output/of_sheet.hpp"
 #include "base/utf8.hpp"
 #include "output/svg_path_text.hpp"
 #include "output/svg_tree.hpp"
-#include "output/text_place.hpp"
 #include "output/xml_text.hpp"
 
 namespace epura::output {

@@ -8,7 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "output/metadata.hpp"
+#include "output/of_sheet.hpp"
 #include "output/reading_order.hpp"
 #include "output/xml_text.hpp"
 #include "scene/line_roles.hpp"

@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "output/cairo/canvas.hpp"
-#include "output/text_place.hpp"
+#include "output/of_sheet.hpp"
 #include "sheet/lettering.hpp"
 #include "sheet/sheet.hpp"
 

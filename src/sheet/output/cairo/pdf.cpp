@@ -11,7 +11,7 @@
 #include "output/cairo/canvas.hpp"
 #include "output/cairo/glyphs.hpp"
 #include "output/cairo/library.hpp"
-#include "output/metadata.hpp"
+#include "output/of_sheet.hpp"
 #include "output/reading_order.hpp"
 
 namespace epura::output {

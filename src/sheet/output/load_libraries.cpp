@@ -14,6 +14,10 @@ const CairoLibrary& cairo_library() {
 
 }  // namespace
 
+const PdfLibrary& pdf_library() {
+  return own_table<PdfLibrary>(EPURA_PDF_LIBRARY, "epura_pdf_library", "epura needs it for PDF files");
+}
+
 std::string to_pdf(const Pages& sheets, const Progress& progress, const VectorOptions& options) {
   const PdfLibrary& library = pdf_library();  // before work that would be lost without it
   PdfDocument document = cairo_library().make_pdf_layers(sheets, options.pdf, progress);
