@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/nearest.hpp"
 #include "base/parallel.hpp"
 #include "drawing/drawing.hpp"
 
@@ -82,10 +83,7 @@ std::optional<double> EdgeFinder::depth(const Vec2& drawn, std::span<const sheet
   for (const sheet::ModelEdge& edge : edges)
     for (const int model : shown_[static_cast<std::size_t>(edge.model)]) {
       const DeepPoint a = on_page(point(model, edge.vertex[0])), b = on_page(point(model, edge.vertex[1]));
-      const Vec2 along = b.at - a.at;
-      const double square = glm::dot(along, along);
-      const double t = square > 0 ? std::clamp(glm::dot(p - a.at, along) / square, 0.0, 1.0) : 0;
-      const double distance = glm::distance(p, a.at + t * along);
+      const double t = nearest_parameter(p, a.at, b.at), distance = glm::distance(p, a.at + t * (b.at - a.at));
       if (!(distance < least)) continue;
       least = distance;
       found = a.depth + t * (b.depth - a.depth);

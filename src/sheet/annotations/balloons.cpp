@@ -12,6 +12,7 @@
 
 #include "annotations/callouts.hpp"
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 
 namespace epura::sheet {
 
@@ -40,13 +41,6 @@ struct Placed {
   std::size_t target;
   BalloonPlace place;
 };
-
-double distance_to_line(const Vec2& p, const Vec2& from, const Vec2& to) {
-  const Vec2 along = to - from;
-  const double length = glm::dot(along, along);
-  const double t = length > 0 ? std::clamp(glm::dot(p - from, along) / length, 0.0, 1.0) : 0;
-  return glm::length(p - from - t * along);
-}
 
 bool do_leaders_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   const double s = cross(b - a, c - a), t = cross(b - a, d - a), u = cross(d - c, a - c), v = cross(d - c, b - c);
@@ -206,7 +200,7 @@ class BalloonPlacer {
     return std::all_of(placed_.begin(), placed_.end(), [&](const Placed& other) {
       const Vec2 &a = one.place.centre, &b = other.place.centre;
       return glm::length(a - b) >= sizes_.radius + least && !do_leaders_cross(a, end_of(one), b, end_of(other)) &&
-             distance_to_line(a, b, end_of(other)) >= least && distance_to_line(b, a, end_of(one)) >= least;
+             distance_to_segment(a, b, end_of(other)) >= least && distance_to_segment(b, a, end_of(one)) >= least;
     });
   }
 

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "drawing/drawing.hpp"
 #include "sheet/marks.hpp"
 
@@ -18,12 +19,6 @@ namespace {
 constexpr double of_circle = 0.2;
 constexpr double by_facets = 0.05;       // the same of facets alone
 constexpr double along_diameter = 1e-3;  // radians between a line and the diameter that it follows
-
-Vec2 nearest_on(const drawing::Segment& segment, const Vec2& p) {
-  const Vec2 along = segment.to - segment.from;
-  const double length = glm::dot(along, along);
-  return segment.from + (length > 0 ? std::clamp(glm::dot(p - segment.from, along) / length, 0.0, 1.0) : 0.0) * along;
-}
 
 // Seen from the centre, in lengths of the spokes.
 std::array<Vec2, 2> in_circle(const drawing::Segment& segment, const MeasuredCircle& circle) {
@@ -46,7 +41,7 @@ bool has_line_at(const drawing::ViewDrawing& drawing, const Vec2& end, const Mea
   return std::any_of(drawing.segments.begin(), drawing.segments.end(), [&](const drawing::Segment& segment) {
     const Vec2 along = segment.to - segment.from;
     return std::abs(cross(length.along, along)) > along_diameter * glm::length(along) &&
-           glm::distance(nearest_on(segment, end), end) <= near;
+           glm::distance(nearest_on_segment(end, segment.from, segment.to), end) <= near;
   });
 }
 

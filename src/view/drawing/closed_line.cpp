@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "base/portable_math.hpp"
 #include "drawing/limits.hpp"
 
@@ -109,12 +110,7 @@ std::optional<Rings> common_area(const ClosedLine& line, const Rings& rings) {
   return rings_of(pieces);
 }
 
-bool is_on(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 along = b - a;
-  const double square = glm::dot(along, along);
-  const double t = square > 0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0;
-  return glm::distance(p, a + t * along) <= rounding_mm;
-}
+bool is_on(const Vec2& p, const Vec2& a, const Vec2& b) { return distance_to_segment(p, a, b) <= rounding_mm; }
 
 // The part of a line in a triangle; nothing if it only touches it.
 std::optional<std::array<double, 2>> part_in(const std::array<Vec2, 3>& triangle, const Vec2& from, const Vec2& to) {

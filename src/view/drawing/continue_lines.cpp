@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "drawing/limits.hpp"
 #include "drawing/polylines.hpp"
 
@@ -165,11 +166,10 @@ class Continuation {
     Foot nearest{0, 0, glm::distance(p, line.at)};
     double walked = 0;
     for (std::size_t i = 0; i < line.members.size() && walked <= reach; ++i) {
-      const Vec2 from = place(line.members[i]), step = place(other(line.members[i])) - from;
-      const double square = glm::dot(step, step);
-      const double part = square > 0 ? std::clamp(glm::dot(p - from, step) / square, 0.0, 1.0) : 0;
-      if (const double away = glm::distance(p, from + part * step); away < nearest.distance) nearest = {i, part, away};
-      walked += std::sqrt(square);
+      const Vec2 from = place(line.members[i]), to = place(other(line.members[i]));
+      const double part = nearest_parameter(p, from, to), away = glm::distance(p, from + part * (to - from));
+      if (away < nearest.distance) nearest = {i, part, away};
+      walked += glm::distance(from, to);
     }
     return nearest;
   }

@@ -127,6 +127,5 @@ inline constexpr double finest_cell = 2;        ///< in which ink is searched fo
 /// Cells that tell where no dangles or doubts are, in multiples of the distance.
 inline constexpr double dangle_cell = 8;
 inline constexpr double worth_dividing = 0.85;  ///< a division that leaves at most this part of the work
-inline constexpr double symmetry_cell = 2;      ///< mm; in which the mirror image of a line is searched for
 
 }  // namespace epura::drawing

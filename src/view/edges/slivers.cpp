@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "base/parallel.hpp"
 #include "edges/limits.hpp"
 #include "view/page_height.hpp"
@@ -68,11 +69,8 @@ Exit exit_at(const EdgeSurroundings& around, const std::array<int, 2>& entry, in
 // Whether both ends of the edge lie on the side, with a tolerance of `slack`.
 bool spans(const EdgeSurroundings& around, const std::array<int, 2>& side, const std::array<int, 2>& edge,
            double slack) {
-  const Vec3 from = around.point(side[0]), along = around.point(side[1]) - from;
   return std::all_of(edge.begin(), edge.end(), [&](int v) {
-    const Vec3 to = around.point(v) - from;
-    const double t = std::clamp(glm::dot(to, along) / glm::dot(along, along), 0.0, 1.0);
-    return glm::length(to - t * along) <= slack;
+    return distance_to_segment(around.point(v), around.point(side[0]), around.point(side[1])) <= slack;
   });
 }
 
