@@ -244,7 +244,7 @@ bool lies_on(const Facets& facets, const Region& region, const PartSurface& surf
 // Where the normal of a torus is parallel to its axis, its facets form a flat ring, or parts of it.
 bool is_ring_of_torus(const Facets& facets, const Region& flat, const Region& torus) {
   if (torus.surface.kind != SurfaceKind::torus || !are_chords(facets, flat, torus)) return false;
-  return std::abs(glm::dot(torus.surface.axis, flat.surface.axis)) > parallel_cosine ||
+  return glm::length(glm::cross(torus.surface.axis, flat.surface.axis)) <= told_apart_sine ||
          (flat.facets.size() == 1 && facets.vertices_of(flat.facets.front()).size() <= corners_in_ring);
 }
 

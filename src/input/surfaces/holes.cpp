@@ -46,7 +46,7 @@ class HoleFinder {
 
   [[nodiscard]] bool is_about(const PartFace& face, const PartSurface& bore) const {
     if (!has_axis(face.surface.kind) || !face.inwards || face.sweep < whole_turn) return false;
-    if (std::abs(glm::dot(face.surface.axis, bore.axis)) < parallel_cosine) return false;
+    if (glm::length(glm::cross(face.surface.axis, bore.axis)) > told_apart_sine) return false;
     const Vec3 from = face.surface.origin - bore.origin;
     const double aside = glm::length(from - glm::dot(from, bore.axis) * bore.axis);
     return aside <= std::max(32 * part_.tolerance, 1e-4 * bore.radius);
@@ -66,7 +66,8 @@ class HoleFinder {
       for (const int next : beside_[faces[i]]) {
         take(next);
         const PartSurface& step = part_.faces[next].surface;
-        if (step.kind != SurfaceKind::plane || std::abs(glm::dot(step.axis, surface.axis)) < parallel_cosine) continue;
+        if (step.kind != SurfaceKind::plane) continue;
+        if (glm::length(glm::cross(step.axis, surface.axis)) > told_apart_sine) continue;
         // A large face has many neighbours and is not a step.
         for (const int behind : beside_[next])
           if (part_.faces[next].area <= std::max(largest_section(faces), largest_section({behind}))) take(behind);

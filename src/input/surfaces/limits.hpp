@@ -31,7 +31,8 @@ inline constexpr double certain_edge_tangent = 1;  ///< of 45 degrees: a sharper
 inline constexpr double min_agreement = 0.913;
 /// Cosine of 4 degrees: a facet that tilts more may span a large angle.
 inline constexpr double tilted_facing = 0.9976;
-inline constexpr double min_facing = 0.5;             ///< cosine of 60 degrees: of chords at the border of a face
+/// Cosine of 60 degrees: facets face no farther away from their surface; those farthest are at the border of a face.
+inline constexpr double min_facing = 0.5;
 inline constexpr double max_sagittas = 16;            ///< height of the highest facets, in sagittas
 inline constexpr double max_relative_sagitta = 0.09;  ///< of the radius: that of a facet that spans 49 degrees
 inline constexpr double widest_chord = 46;            ///< degrees: a facet spans at most 45, a wider gap none
@@ -62,9 +63,8 @@ inline constexpr double still_open = 8;  ///< allowances from the axis of a cone
 
 // Which surfaces are one, or of a simpler kind.
 
-inline constexpr double parallel_cosine = 1 - 1e-6;  ///< of 0.08 degrees
-inline constexpr double same_surface = 1e-6;         ///< sine of the angle of axes; lengths as a part of the radius
-inline constexpr double min_stretch = 1e-9;  ///< relative: surfaces of a model that is stretched by less are kept
+inline constexpr double same_surface = 1e-6;  ///< sine of the angle of axes; lengths as a part of the radius
+inline constexpr double min_stretch = 1e-9;   ///< relative: surfaces of a model that is stretched by less are kept
 /// Of 0.6 degrees: a steeper cone is no inexact cylinder, and three points at a smaller angle have no plane.
 inline constexpr double min_sine = 0.01;
 /// Damping below which a step of the fit (Levenberg, Marquardt) is a whole one.

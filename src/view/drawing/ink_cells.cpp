@@ -27,11 +27,11 @@ int sector_of(const Vec2& direction) {
 }
 
 Sectors sectors_around(const Vec2& direction) {
+  const double cosine = along_cosine - on_line_part, sine = std::sqrt(1 - cosine * cosine);
   const auto [x, y] = std::array{direction.x, direction.y};
-  const int last = sector_of({looked_at_cosine * x - looked_at_sine * y, looked_at_sine * x + looked_at_cosine * y});
+  const int last = sector_of({cosine * x - sine * y, sine * x + cosine * y});
   Sectors found = Sectors{1} << last;
-  for (int at = sector_of({looked_at_cosine * x + looked_at_sine * y, looked_at_cosine * y - looked_at_sine * x});
-       at != last; at = (at + 1) % sectors)
+  for (int at = sector_of({cosine * x + sine * y, cosine * y - sine * x}); at != last; at = (at + 1) % sectors)
     found |= Sectors{1} << at;
   return found;
 }

@@ -23,7 +23,7 @@ using Sectors = std::uint32_t;
 /// Returns the sector of a direction.
 int sector_of(const Vec2& direction);
 
-/// Returns all sectors with directions within 25 degrees of this one.
+/// Returns all sectors with directions that run along this one (along_cosine).
 Sectors sectors_around(const Vec2& direction);
 
 class InkCells {

@@ -8,14 +8,14 @@
 #include <cstddef>
 
 #include "base/angle.hpp"
+#include "refine/limits.hpp"
 
 namespace epura::drawing {
 
 // Rounding
 
 inline constexpr double rounding_mm = 1e-9;  ///< about what the rounding of positions on a sheet amounts to
-/// The same of lengths, parameters and sines, relative, of radians, and of chords seen edge-on as a part of a turn.
-inline constexpr double rounding_part = 1e-9;
+using refine::rounding_part;                 ///< the same, of chords seen edge-on as a part of a turn, too
 /// Between a line and itself, computed in another way. Corners of chains that are no farther off a straight line are
 /// left out, and points as close to a limit of a broken view are drawn (there, the unit of the world if there is no
 /// scale yet).
@@ -44,8 +44,6 @@ inline constexpr double on_one_line = 0.5;   ///< within it, a line goes back an
 inline constexpr double crossing_sine = 0.02;  ///< 1.1 degrees; at less, contours run along each other
 /// 25 degrees; at less, lines run along each other, as do facets of rims with eight or more corners.
 inline constexpr double along_cosine = 0.9063;
-/// 25.1 degrees, a little more than that: ink in these directions is looked at.
-inline constexpr double looked_at_cosine = 0.90556, looked_at_sine = 0.42420;
 inline constexpr double continuing_cosine = 0.85;  ///< 32 degrees, between ends that continue each other
 /// 41 degrees: of lines that leave a point at a smaller angle, one turns back there; at 139 degrees or more, it goes on
 /// in nearly the same direction.

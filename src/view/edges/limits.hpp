@@ -7,7 +7,7 @@
 
 #include <cstddef>
 
-#include "base/angle.hpp"
+#include "refine/limits.hpp"
 
 namespace epura::edges {
 
@@ -23,9 +23,9 @@ inline constexpr double determinant_rounding = 9 * 0x1p-53;
 inline constexpr double normal_rounding = 0x1p-49;
 inline constexpr double angle_rounding = 1e-6;  ///< degrees: of an N-sided prism, all or no edges are creases at 360/N
 inline constexpr double place_rounding = 0x1p-40;  ///< relative: a vertex of a cut farther off its edge was moved
-/// Of parameters from 0 to 1 along an edge, of bends (curvatures times a factor), and of sines of the angle between
-/// planes, which have no reliable line in common at less (6e-8 degrees).
-inline constexpr double rounding_part = 1e-9;
+/// The same of bends (curvatures times a factor); planes at less than this sine (6e-8 degrees) have no reliable line in
+/// common.
+using refine::rounding_part;
 inline constexpr double min_contact = 1e-12;  ///< world: beside smaller contacts, rounding of points matters
 
 // Which folds are flat, which directions parallel or edge-on.
@@ -51,7 +51,6 @@ inline constexpr int longest_row = 256;      ///< adjacent slivers; a longer row
 
 // Where smooth contours and edges lie.
 
-inline constexpr double max_moved = 1;  ///< sizes of a triangle: a surface's contour is no farther from its facets'
 inline constexpr double max_facets_away = 2;  ///< facets from which the contour of a sphere is no farther
 inline constexpr double tiny_triangle = 8;    ///< tolerances of the part: which way a smaller one faces means nothing
 /// A fillet begins with half a fold, which counts less than a whole one.

@@ -91,7 +91,7 @@ class ModelContours {
       const auto line = contour_across(t);
       if (!line) continue;
       const Vec3 place = nearest_on_segment(from, (*line)[0], (*line)[1]);
-      if (glm::distance(place, from) > max_moved * size_of(t)) continue;
+      if (glm::distance(place, from) > size_of(t)) continue;  // farther, it is no contour of these facets
       if (nearest && glm::distance(place, from) >= glm::distance(*nearest, from)) continue;
       nearest = place;
       on_triangle = t;
@@ -133,7 +133,7 @@ class ModelContours {
     const double distance = surfaces::signed_distance(surface, place), longest = longest_side(mesh_, triangle);
     if (!(std::abs(distance) <= longest)) return std::nullopt;
     const Vec3 moved = place - distance * surfaces::normal_near(surface, place);
-    check(glm::distance(moved, vertex) <= (max_moved + 1.001) * longest, "a contour stays beside its facets");
+    check(glm::distance(moved, vertex) <= 2.001 * longest, "a contour stays beside its facets");
     return moved;
   }
 

@@ -11,6 +11,7 @@
 
 #include "refine/contour_plane.hpp"
 #include "refine/limits.hpp"
+#include "surfaces/limits.hpp"
 #include "world/placed_part.hpp"
 
 namespace epura::refine {
@@ -33,7 +34,7 @@ struct Turn {
   }
   /// Whether rounding does not decide how it turns.
   [[nodiscard]] bool is_told(double tolerance) const {
-    return area > told_from * tolerance * longest && std::abs(outwards) >= min_agreement * area;
+    return area > told_from * tolerance * longest && std::abs(outwards) >= surfaces::min_facing * area;
   }
 };
 

@@ -10,8 +10,8 @@ inline constexpr double at_corner = 0.01;
 inline constexpr double along_axis = 1e-5;    ///< sine: a cylinder seen so closely along its axis has no contour
 inline constexpr double least_volume = 0.02;  ///< of three unit normals: surfaces that meet at less nearly touch
 inline constexpr double told_from = 8;        ///< tolerances of the part: lower polygons turn as their face does
-inline constexpr double min_agreement = 0.5;  ///< cosine of 60 degrees: facets face no farther from their surface
-/// Of a reach, within which a point is found; of a facet's area, less of which is on a line.
+/// Of lengths, parameters and sines, relative, and of radians; here of a reach, within which a point is found, and of a
+/// facet's area, less of which is on a line. One for all stages of a view.
 inline constexpr double rounding_part = 1e-9;
 inline constexpr int newton_steps = 8;  ///< enough for points within a facet of the surface
 
