@@ -10,10 +10,10 @@
 
 namespace epura::drawing {
 
-using Range = std::array<double, 2>;
+using Interval = std::array<double, 2>;  ///< empty if it begins beyond its end
 
-/// Restricts a range of u to where min <= value + u slope <= max.
-inline void limit(Range& range, double value, double slope, double min, double max) {
+/// Restricts an interval of u to where min <= value + u slope <= max.
+inline void limit(Interval& range, double value, double slope, double min, double max) {
   if (slope == 0) {
     if (value < min || value > max) range = {1, 0};
     return;
@@ -24,7 +24,7 @@ inline void limit(Range& range, double value, double slope, double min, double m
 
 /// A line and another one along it, measured along a direction that both roughly follow.
 struct Beside {
-  Range range{1, 0};            ///< the part of the line, 0 at its start, that lies within the distance of the other
+  Interval range{1, 0};         ///< the part of the line, 0 at its start, that lies within the distance of the other
                                 ///< line
   double value = 0, slope = 0;  ///< distance to the left of the other line, as a function of the position on the line:
                                 ///< value + u slope

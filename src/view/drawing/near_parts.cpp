@@ -64,7 +64,7 @@ void KeptInk::append(const std::vector<int>& numbers, const MeasuredPolyline& po
   auto& [parts, contacts] = found.near;
   // Ink whose ends meet has no gap between them, whatever rounding leaves.
   visibility::Spans spans;
-  const auto cover = [&](const Range& stretch) {
+  const auto cover = [&](const Interval& stretch) {
     visibility::add_span(spans, {stretch[0] - limits_.touching, stretch[1] + limits_.touching});
   };
   for (std::size_t i = found.first; i < parts.size(); ++i) cover(parts[i].stretch);

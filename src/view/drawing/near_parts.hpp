@@ -14,9 +14,9 @@ namespace epura::drawing {
 
 /// A kept part (`by`), and the stretch of the member along which it runs, mm.
 struct NearPart {
-  Range stretch;
+  Interval stretch;
   int by;
-  Range apart;  ///< how far from it the ends of the stretch are, mm
+  Interval apart;  ///< how far from it the ends of the stretch are, mm
 };
 
 /// What runs along members: the lists of one member after the other.

@@ -102,7 +102,7 @@ void NearPrefilter::find_last_along(const AlongLimits& limits, const Progress& p
     const Vec2 facing(seen[other].direction[0], seen[other].direction[1]), step = piece.to - piece.from;
     if (std::abs(glm::dot(direction, facing)) < along_cosine - on_line_part) return false;
     const std::array line{pieces[other].from - piece.from, pieces[other].to - piece.from};
-    const Range range = Beside(direction, step, line, distance, steepest_along + on_line_part).range;
+    const Interval range = Beside(direction, step, line, distance, steepest_along + on_line_part).range;
     return (range[1] - range[0]) * glm::length(step) > least;
   };
   visit_pieces([&](int piece) {

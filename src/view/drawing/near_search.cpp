@@ -15,12 +15,12 @@ namespace epura::drawing {
 namespace {
 
 // Returns the parameters of a line, 0 at a and 1 at b, where it lies within a distance of the line p, q, a convex set.
-Range part_around(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q, double distance) {
+Interval part_around(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q, double distance) {
   const Vec2 step = b - a;
-  Range all{1, 0};
-  const auto add = [&](const Range& range) {
+  Interval all{1, 0};
+  const auto add = [&](const Interval& range) {
     if (!(range[0] <= range[1])) return;
-    all = all[0] <= all[1] ? Range{std::min(all[0], range[0]), std::max(all[1], range[1])} : range;
+    all = all[0] <= all[1] ? Interval{std::min(all[0], range[0]), std::max(all[1], range[1])} : range;
   };
   for (const Vec2& centre : {p, q}) {
     const double a2 = glm::dot(step, step), half = glm::dot(step, centre - a);
@@ -30,7 +30,7 @@ Range part_around(const Vec2& a, const Vec2& b, const Vec2& p, const Vec2& q, do
   if (p != q) {
     const Ruler line(p, q);
     const Vec2 from = line.local(a), along = line.local(b) - from;
-    Range beside{0, 1};
+    Interval beside{0, 1};
     limit(beside, from.x, along.x, 0, line.length);
     limit(beside, from.y, along.y, -distance, distance);
     add(beside);

@@ -35,7 +35,7 @@ class NearSearch {
   struct Near {
     Stretch stretch;
     int by;
-    Range apart;  ///< at its ends, mm
+    Interval apart;  ///< at its ends, mm
   };
   using Run = std::array<double, 2>;
   // Least number of members that are searched together before their polylines are added.
