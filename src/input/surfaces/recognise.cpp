@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <span>
 
+#include "base/angle.hpp"
 #include "base/parallel.hpp"
 #include "base/portable_math.hpp"
 #include "surfaces/blends.hpp"
@@ -204,7 +204,7 @@ PartFaces recognise_faces(const mesh::Mesh& mesh, const RecogniseOptions& option
 }
 
 bool has_shallow_folds(const mesh::Mesh& mesh, double least) {
-  const double shallow_min = portable_tan(least * (std::numbers::pi / 180));
+  const double shallow_min = portable_tan(least * degree);
   const auto normal = [&](int triangle) {
     const auto [a, b, c] = mesh.triangle(triangle);
     return glm::cross(mesh.point(b) - mesh.point(a), mesh.point(c) - mesh.point(a));

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "base/angle.hpp"
@@ -166,7 +165,7 @@ Reach reach_of(const PartSurface& surface, std::span<const Vec3> points, double 
     reach.to = std::max(reach.to, height);
   }
   const Places places = places_of(surface, points, false, allowance);
-  reach.sweep = places.closed ? 360 : places.sweep * (180 / std::numbers::pi);
+  reach.sweep = places.closed ? 360 : places.sweep * degrees;
   reach.middle = places.from + (places.sweep + full_turn) / 2;
   return reach;
 }

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/angle.hpp"
 #include "base/convex_hull.hpp"
 #include "base/portable_math.hpp"
 
@@ -72,10 +72,9 @@ Vec3 beside(const Projection& p) {
   constexpr double too_near = 0.77;                                // cosine of the angle to the projectors
   const Vec3 level =
       std::abs(p.n.z) < steep ? Vec3(p.n.x, p.n.y, 0) : -Vec3(p.v.x, p.v.y, 0) * std::copysign(1.0, p.n.z);
-  const double degree = std::numbers::pi / 180;
   const double elevation = (p.n.z >= steep ? high : p.n.z < -0.5 ? below : low) * degree;
-  const auto turned = [&](double degrees) {
-    const double c = portable_cos(degrees * degree), s = portable_sin(degrees * degree);
+  const auto turned = [&](double by) {
+    const double c = portable_cos(by * degree), s = portable_sin(by * degree);
     const Vec3 flat = glm::normalize(level);
     return Vec3(portable_cos(elevation) * (c * flat.x - s * flat.y),
                 portable_cos(elevation) * (s * flat.x + c * flat.y), portable_sin(elevation));

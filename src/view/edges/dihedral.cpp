@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
 
@@ -54,11 +54,11 @@ double fold_angle(const EdgeSurroundings& around, const std::array<int, 2>& edge
 
 double fold_angle(const std::array<Vec3, 2>& normals) {
   const auto& [n1, n2] = normals;
-  return portable_atan2(glm::length(glm::cross(n1, n2)), glm::dot(n1, n2)) * (180 / std::numbers::pi);
+  return portable_atan2(glm::length(glm::cross(n1, n2)), glm::dot(n1, n2)) * degrees;
 }
 
 FoldLimit::FoldLimit(double limit) : degrees(limit), squared_cosine(2) {
-  const double cosine = portable_cos(limit * (std::numbers::pi / 180));
+  const double cosine = portable_cos(limit * degree);
   if (limit < 90) squared_cosine = cosine * cosine;
 }
 

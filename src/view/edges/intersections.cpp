@@ -5,10 +5,10 @@
 #include <atomic>
 #include <cmath>
 #include <iterator>
-#include <numbers>
 #include <optional>
 #include <utility>
 
+#include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/parallel.hpp"
 #include "edges/dihedral.hpp"
@@ -93,7 +93,7 @@ class Crossings {
     if (!two) return std::nullopt;
     const auto common = overlap(*one, *two, glm::normalize(along));
     if (!common) return std::nullopt;
-    const double angle = std::asin(std::min(glm::length(along), 1.0)) * (180 / std::numbers::pi);
+    const double angle = std::asin(std::min(glm::length(along), 1.0)) * degrees;
     return FaceCrossing{{denormalised(common->ends[0]), denormalised(common->ends[1])}, {first, second}, angle};
   }
 
