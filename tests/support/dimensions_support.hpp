@@ -76,7 +76,7 @@ inline scene::DimensionDescription dimension(const std::string& type, const std:
 
 inline sheet::Layer layer_of(const world::World& world, const drawing::ViewDrawing& drawing,
                              const std::vector<scene::DimensionDescription>& dimensions) {
-  return sheet::dimension_layer({world, drawing, dimensions}, {sheet::Lettering(), 0.25});
+  return sheet::place_dimensions({world, drawing, dimensions}, {sheet::Lettering(), 0.25}).layer;
 }
 
 /// What is written at the only dimension.

@@ -273,7 +273,6 @@ LeaderObject leader_object(const Layer& notes, const Callout& callout, const Spo
   for (const Text& text : callout.texts) object.lines.push_back(text.text);
   object.text_corner = {spot.box.min.x, spot.box.max.y};
   object.text_height = style.text;
-  object.text_width = spot.box.size().x;
   return object;
 }
 

@@ -502,11 +502,6 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
   return result;
 }
 
-Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours,
-                      const Progress& progress) {
-  return place_dimensions(view, style, neighbours, progress).layer;
-}
-
 bool on_paper(const Layer& dimensions, const Vec2& size) {
   return std::all_of(dimensions.strokes.begin(), dimensions.strokes.end(), [&size](const Stroke& stroke) {
     return std::all_of(stroke.points.begin(), stroke.points.end(),

@@ -53,18 +53,14 @@ struct PlacedLayer {
   }
 };
 
-/// The same as dimension_layer, with what lint reports.
-PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& style,
-                             const Neighbours& neighbours = {}, const Progress& progress = {});
-
 /// Layer "VIEW/dimensions" of a drawing in its final position: narrow lines, filled arrows, and texts. Values are the
 /// true measures in the world. Dimensions are outside the outline, small ones inside large ones, and avoid each other
 /// and their neighbours as far as possible; an offset is obeyed. Dimensions for which there is no
 /// time are omitted. Of those that were found, circles that the view does not show are left out, and then as many as it
 /// takes that no text is on anything else, no line is in another view and none is beyond the sheet. Throws
 /// Error{input}: see sizes/anchors.hpp and measure.hpp; also for characters missing from the font.
-Layer dimension_layer(const DimensionedView& view, const DimensionStyle& style, const Neighbours& neighbours = {},
-                      const Progress& progress = {});
+PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& style,
+                             const Neighbours& neighbours = {}, const Progress& progress = {});
 
 /// Whether all of it lies on paper of this size, mm.
 bool on_paper(const Layer& dimensions, const Vec2& size);

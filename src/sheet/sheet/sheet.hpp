@@ -141,7 +141,7 @@ struct LeaderObject {
   double arrow;              ///< its length, mm
   std::vector<std::string> lines{};
   Vec2 text_corner{0, 0};  ///< the upper left one
-  double text_height = 0, text_width = 0;
+  double text_height = 0;
   InkRange strokes{}, fills{}, texts{};
 };
 

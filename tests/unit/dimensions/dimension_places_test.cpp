@@ -274,7 +274,7 @@ TEST(DimensionPlaces, AwayFromNeighboursAndOnThePaper) {
   const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));  // (70, 80) to (130, 120)
   const std::vector<scene::DimensionDescription> width{dimension("overall", {}, "width")};
   const auto layer = [&](const sheet::Neighbours& neighbours) {
-    return sheet::dimension_layer({world, front, width}, {sheet::Lettering(), 0.25}, neighbours);
+    return sheet::place_dimensions({world, front, width}, {sheet::Lettering(), 0.25}, neighbours).layer;
   };
   const sheet::Rectangle below{{60, 62}, {140, 75}}, above{{60, 125}, {140, 200}}, far_below{{60, 0}, {140, 20}};
   EXPECT_TRUE(reaches_into(layer({}), below));
@@ -297,7 +297,7 @@ TEST(DimensionPlaces, LinesAreInterruptedAtLetters) {
   const auto strokes_of = [&](const std::vector<sheet::Rectangle>& letters) {
     sheet::Neighbours neighbours;
     for (const sheet::Rectangle& letter : letters) neighbours.letters.push_back(sheet::turned_box(letter));
-    return sheet::dimension_layer({world, front, width}, {sheet::Lettering(), 0.25}, neighbours).strokes;
+    return sheet::place_dimensions({world, front, width}, {sheet::Lettering(), 0.25}, neighbours).layer.strokes;
   };
   const auto has_ink_in = [](const std::vector<sheet::Stroke>& strokes, const sheet::Rectangle& letter) {
     return std::any_of(strokes.begin(), strokes.end(), [&](const sheet::Stroke& stroke) {
