@@ -16,7 +16,6 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/folder.hpp"
-#include "base/text.hpp"
 #include "base/utf8.hpp"
 #include "batch/manifest.hpp"
 #include "batch/pool.hpp"

@@ -2,7 +2,6 @@
 // The options of `epura batch`: those of its jobs, and its own.
 #include "app/draw_options.hpp"
 #include "app/jobs/placeholders.hpp"
-#include "base/text.hpp"
 #include "batch/batch.hpp"
 
 namespace epura {

@@ -19,7 +19,6 @@
 #include "app/describe.hpp"
 #include "app/draw_files.hpp"
 #include "app/hash.hpp"
-#include "app/jobs/placeholders.hpp"
 #include "app/resource_limit.hpp"
 #include "base/broken.hpp"
 #include "base/error.hpp"

@@ -20,7 +20,6 @@
 #include "app/confinement.hpp"
 #include "app/describe.hpp"
 #include "app/viewing_steps.hpp"
-#include "base/broken.hpp"
 #include "base/utf8.hpp"
 #include "edges/dihedral.hpp"
 #include "edges/feature_edges.hpp"

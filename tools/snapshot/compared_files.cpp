@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "app/describe.hpp"
-#include "base/text.hpp"
 #include "drawing/drawing.hpp"
 #include "pipeline/draw_scene.hpp"
 #include "pipeline/targets.hpp"

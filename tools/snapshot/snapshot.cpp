@@ -8,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/commands.hpp"
 #include "app/junit.hpp"
 #include "base/error.hpp"
 #include "base/file.hpp"

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "base/csv.hpp"
-#include "base/text.hpp"
 #include "base/utf8.hpp"
 #include "sheet/lettering.hpp"
 

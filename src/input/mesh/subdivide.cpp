@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/portable_math.hpp"
-#include "base/text.hpp"
 #include "mesh/edge_table.hpp"
 
 namespace epura::mesh {

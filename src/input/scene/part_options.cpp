@@ -5,7 +5,6 @@
 #include <functional>
 #include <utility>
 
-#include "base/text.hpp"
 #include "scene/line_roles.hpp"
 
 namespace epura::scene {

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "base/error.hpp"
-#include "base/text.hpp"
 #include "scene/read_entries.hpp"
 #include "scene/title_fields.hpp"
 #include "scene/view_names.hpp"

@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "base/angle.hpp"
 #include "surfaces/limits.hpp"
 
 namespace epura::surfaces {

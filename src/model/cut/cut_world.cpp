@@ -14,7 +14,6 @@
 #include "cut/cut_overlaps.hpp"
 #include "cut/model_cut.hpp"
 #include "cut/split_world.hpp"
-#include "mesh/edge_table.hpp"
 
 namespace epura::cut {
 

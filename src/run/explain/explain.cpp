@@ -6,7 +6,6 @@
 #include "base/text.hpp"
 #include "drawing/closed_line.hpp"
 #include "drawing/drawing.hpp"
-#include "drawing/freehand.hpp"
 #include "drawing/ink.hpp"
 #include "drawing/limits.hpp"
 #include "explain/reason.hpp"

@@ -13,7 +13,6 @@
 #include "compare/html_report.hpp"
 #include "compare/read_pictures.hpp"
 #include "drawing/drawing.hpp"
-#include "drawing/view_drawing.hpp"
 #include "library/describe_scene.hpp"
 #include "library/guarded.hpp"
 #include "library/kept_plugins.hpp"

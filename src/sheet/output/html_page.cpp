@@ -15,7 +15,6 @@
 #include "output/page_lines.hpp"
 #include "output/page_parts.hpp"
 #include "output/write.hpp"
-#include "output/xml_text.hpp"
 
 namespace epura::output {
 

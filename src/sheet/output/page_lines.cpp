@@ -10,7 +10,6 @@
 #include <string_view>
 #include <vector>
 
-#include "edges/edge_kind.hpp"
 #include "output/json_text.hpp"
 #include "output/svg_path_text.hpp"
 #include "output/xml_text.hpp"

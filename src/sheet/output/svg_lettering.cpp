@@ -6,9 +6,8 @@
 #include <numbers>
 #include <string_view>
 
-#include "base/text.hpp"
-#include "output/of_sheet.hpp"
 #include "base/utf8.hpp"
+#include "output/of_sheet.hpp"
 #include "output/svg_path_text.hpp"
 #include "output/svg_tree.hpp"
 #include "output/xml_text.hpp"

@@ -16,7 +16,6 @@
 #include "output/in_order.hpp"
 #include "output/svg_path_text.hpp"
 #include "output/svg_tree.hpp"
-#include "output/xml_text.hpp"
 #include "sheet/walk_stroke.hpp"
 
 namespace epura::output {

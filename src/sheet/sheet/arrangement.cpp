@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/text.hpp"
 #include "sheet/arranger.hpp"
 #include "sheet/standard_scale.hpp"
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "base/text.hpp"
 #include "sheet/captions.hpp"
 #include "sheet/list_table.hpp"
 

@@ -11,7 +11,6 @@
 
 #include "base/error.hpp"
 #include "base/parallel.hpp"
-#include "base/text.hpp"
 #include "drawing/curve_part.hpp"
 #include "drawing/drawing.hpp"
 #include "sheet/crossings.hpp"

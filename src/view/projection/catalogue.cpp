@@ -8,7 +8,6 @@
 
 #include "base/error.hpp"
 #include "base/text.hpp"
-#include "projection/loader.hpp"
 #include "projection/plugin_process.hpp"
 
 namespace epura::projection {
