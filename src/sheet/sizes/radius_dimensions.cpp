@@ -32,6 +32,9 @@ using features::BallFeature;
 using features::RoundFeature;
 using scene::DimensionDescription;
 
+// As `times`, but nobody counts the corners of a hundred teeth, and one note gives the radius of all that look equal.
+std::string times_of_radii(std::size_t count) { return count > max_of_a_kind ? "" : times(count); }
+
 // The view along most of some arcs, and these.
 std::pair<const NamedProjection*, std::vector<const ArcFeature*>> view_of_most(
     const ViewChoice& views, const std::vector<const ArcFeature*>& arcs) {
@@ -127,7 +130,7 @@ Planned arc_dimensions(const Planning& plan) {
       check(arc.radius > 0 && arc.points.size() > 4, "an arc has a radius and a middle");
       return arc.points[4];
     });
-    planned.dimensions.push_back(plan.dimension(DimensionType::radius, *view, times(group.size()) + "<>",
+    planned.dimensions.push_back(plan.dimension(DimensionType::radius, *view, times_of_radii(group.size()) + "<>",
                                                 {shown->centre, shown->axis, shown->radius, shown->points}));
   }
   return planned;
@@ -144,8 +147,8 @@ Planned round_dimensions(const Planning& plan, std::span<const DimensionDescript
     if (!seen || has_radius(so_far, round.radius, 0, plan.notation) ||
         has_radius(planned.dimensions, round.radius, 0, plan.notation))
       continue;
-    planned.dimensions.push_back(
-        plan.dimension(DimensionType::radius, *seen->view, times(group.size()) + "<>", std::move(seen->circle)));
+    planned.dimensions.push_back(plan.dimension(DimensionType::radius, *seen->view, times_of_radii(group.size()) + "<>",
+                                                std::move(seen->circle)));
   }
   return planned;
 }
