@@ -270,7 +270,7 @@ void FaceDimensions::add_places(std::vector<FaceDimension>& found, int face) con
 }
 
 // Of a wall of a pocket or boss that stands on a slope, along this: from the wall that looks at it, or away from it,
-// and from the end of the slope.
+// and of the nearer one of both from the end of the slope.
 void FaceDimensions::add_places_on_slope(std::vector<FaceDimension>& found, int face) const {
   const Vec3& normal = face_of(face).surface.axis;
   const auto is_wall_on = [&](int wall, const Vec3& slope) {
@@ -287,15 +287,28 @@ void FaceDimensions::add_places_on_slope(std::vector<FaceDimension>& found, int 
   if (world_axis(normal) >= 0 || slope < 0 || view == nullptr) return;
   const PartSurface& plane = face_of(slope).surface;
   check(!are_parallel(plane.axis, normal), "a wall stands on its slope");
+  std::vector<int> walls{face};
   for (const int other : beside(slope))
-    if (is_wall_on(other, plane.axis) && glm::dot(face_of(other).surface.axis, normal) < -1 + features::parallel)
+    if (is_wall_on(other, plane.axis) && glm::dot(face_of(other).surface.axis, normal) < -1 + features::parallel) {
       add_width(found, Measure::place, face, face_of(other).at);
+      walls.push_back(other);
+    }
   for (const features::PlaneFeature& one : plan_.subject.features.inclined)
     if (are_parallel(one.normal, plane.axis) &&
         std::abs(glm::dot(one.corners.front() - plane.origin, plane.axis)) <= slack_) {
-      const SlantedPlace place{view, &one, normal, face_of(face).at, -1};
-      for (DimensionDescription& dimension : slanted_dimensions(plan_, {&place, 1}))
-        add(found, Measure::place, std::move(dimension));
+      std::vector<DimensionDescription> places;
+      for (const int wall : walls) {
+        const SlantedPlace place{view, &one, normal, face_of(wall).at, -1};
+        for (DimensionDescription& dimension : slanted_dimensions(plan_, {&place, 1}))
+          places.push_back(std::move(dimension));
+      }
+      const auto length = [](const DimensionDescription& dimension) {
+        return glm::distance(std::get<Vec3>(dimension.anchors[0]), std::get<Vec3>(dimension.anchors[1]));
+      };
+      std::stable_sort(places.begin(), places.end(), [&](const DimensionDescription& a, const DimensionDescription& b) {
+        return length(a) < length(b);
+      });
+      for (DimensionDescription& dimension : places) add(found, Measure::place, std::move(dimension));
       return;
     }
 }
@@ -384,22 +397,36 @@ void FaceDimensions::add_edges(std::vector<FaceDimension>& found, int face) cons
   }
 }
 
-// Distances from planes that are parallel to one that leans against the axes of the world, the nearest ones first.
+// Distances from planes that are parallel to one that leans against the axes of the world, the nearest ones first; of
+// those that look the same way, from the largest one if it is outside, as depths of several floors from one slope, and
+// from the others last.
 void FaceDimensions::add_widths(std::vector<FaceDimension>& found, int face) const {
   constexpr std::size_t most = 4;
   const Vec3& normal = face_of(face).surface.axis;
   if (world_axis(normal) >= 0) return;
   const Vec3 from = face_of(face).at;
-  std::vector<std::pair<double, Vec3>> places;  // by distance
-  for (int other = 0; other < static_cast<int>(reading_.drawn.faces); ++other)
-    if (const PartSurface& one = face_of(other).surface;
-        other != face && one.kind == SurfaceKind::plane && are_parallel(one.axis, normal))
-      if (const double off = std::abs(glm::dot(one.origin - from, normal)); off > slack_)
-        places.emplace_back(off, one.origin);
-  std::stable_sort(places.begin(), places.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  struct Place {
+    double off;  // out of the material
+    int face;
+    bool is_alike;  // looks the same way
+  };
+  std::vector<Place> places;
+  int largest = face;
+  for (int other = 0; other < static_cast<int>(reading_.drawn.faces); ++other) {
+    const PartSurface& one = face_of(other).surface;
+    const double off = glm::dot(one.origin - from, normal);
+    if (one.kind != SurfaceKind::plane || !are_parallel(one.axis, normal) || std::abs(off) <= slack_) continue;
+    const bool is_alike = glm::dot(one.axis, normal) > 0;
+    places.push_back({off, other, is_alike});
+    if (is_alike && face_of(other).area > face_of(largest).area * (1 + features::same_size)) largest = other;
+  }
+  const auto key = [&](const Place& one) {
+    return std::pair(one.is_alike && !(one.face == largest && one.off > 0), std::abs(one.off));
+  };
+  std::stable_sort(places.begin(), places.end(), [&](const Place& a, const Place& b) { return key(a) < key(b); });
   check(places.size() < reading_.drawn.faces, "a face is no width from itself");
   for (std::size_t i = 0; i < std::min(places.size(), most); ++i)
-    add_width(found, Measure::width, face, places[i].second);
+    add_width(found, Measure::width, face, face_of(places[i].face).surface.origin);
 }
 
 // Along its normal, to the plane through a point.
