@@ -100,6 +100,79 @@ inline std::vector<KnownPart> turned_blocks() {
   return parts;
 }
 
+/// The sizes over all of a rectangle that is turned, in brackets; its corners rounded.
+inline std::vector<std::string> sizes_over_turned(const Vec2& size, double degrees, double round = 0) {
+  const Vec2 flat = size - Vec2(2 * round);
+  return {"(" + number(flat.x * cosine(degrees) + flat.y * sine(degrees) + 2 * round) + ")",
+          "(" + number(flat.x * sine(degrees) + flat.y * cosine(degrees) + 2 * round) + ")"};
+}
+
+/// A plate that is turned as a whole, with a round hole and a rectangular one: places along its own axes, one angle.
+inline std::vector<KnownPart> turned_plates() {
+  std::vector<KnownPart> parts;
+  for (int i = 0; i < variants; ++i) {
+    const double degrees = 6 + 1.75 * i, r = 3 + 0.25 * i;
+    const Vec2 size(30, 36 + 0.5 * i), place(13, 14 + 0.45 * i), window(46 + 0.25 * i, 20), opening(12, 9 + 0.25 * i);
+    const auto turn = [&](const Loop& loop) { return turned(loop, {0, 0}, degrees); };
+    const Loop hole = turn(circle(place, r, -135)), corners = turn(square(window - opening / 2.0, opening));
+    Plate plate(10);
+    plate.cell(turn(square({0, 0}, size)), {{hole, 10}, {hole, 0}});
+    plate.cell(turn(square({30, 0}, size)), {{corners, 10}, {corners, 0}});
+    KnownPart part{"a plate turned by " + number(degrees), plate.obj(), sizes_over_turned({60, size.y}, degrees)};
+    for (const std::string& text :
+         {std::string("10"), std::string("60"), number(size.y), number(degrees) + "°", "⌀" + number(2 * r),
+          number(place.x), number(place.y), number(opening.x), number(opening.y), number(window.x), std::string("20")})
+      part.texts.push_back(text);
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+/// The same with rounded corners and without holes.
+inline std::vector<KnownPart> turned_rounded_plates() {
+  std::vector<KnownPart> parts;
+  for (int i = 0; i < variants; ++i) {
+    const double degrees = 7 + 1.75 * i, r = 4 + 0.2 * i, w = 60 + i, h = 34;
+    KnownPart part{"a rounded plate turned by " + number(degrees),
+                   block(turned(rounded({{0, 0}, {w, 0}, {w, h}, {0, h}}, {r, r, r, r}), {0, 0}, degrees), 9),
+                   sizes_over_turned({w, h}, degrees, r)};
+    for (const std::string& text : {std::string("9"), number(w), number(h), number(degrees) + "°", "4× R" + number(r)})
+      part.texts.push_back(text);
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+/// A plate with one or two hexagonal holes that are turned: their angle to the nearest axis.
+inline std::vector<KnownPart> turned_hexagons() {
+  std::vector<KnownPart> parts;
+  for (int i = 0; i < variants; ++i) {
+    const double degrees = i < 9 ? 3 + 1.25 * i : 16 + i - 9, flats = 12 + 0.25 * i;
+    const int count = 1 + i % 2;
+    Plate plate(8);
+    for (int one = 0; one < count; ++one) {
+      const Vec2 centre(40.0 * one + 20, 18);
+      const auto corner = [&](int at) {
+        const double angle = degrees - 120 + 60 * at;
+        return centre + flats / std::sqrt(3) * Vec2(cosine(angle), sine(angle));
+      };
+      Loop hole;
+      constexpr int side = 4 * k / 6;
+      for (int j = 0; j < 4 * k; ++j)
+        hole.push_back(corner(j / side) + double(j % side) / side * (corner(j / side + 1) - corner(j / side)));
+      plate.cell(square({40.0 * one, 0}, {40, 40}), {{hole, 8}, {hole, 0}});
+    }
+    const std::string times = count > 1 ? "2× " : "";
+    KnownPart part{"a hexagon turned by " + number(degrees),
+                   plate.obj(),
+                   {number(40 * count), "40", "8", times + number(flats),
+                    times + number(std::min(degrees, 30 - degrees)) + "°", "20", "18"}};
+    if (count > 1) part.texts.push_back("60");
+    parts.push_back(part);
+  }
+  return parts;
+}
+
 /// A block with an open round channel in its top, whose axis is in the top or above it.
 inline std::vector<KnownPart> channels() {
   std::vector<KnownPart> parts;

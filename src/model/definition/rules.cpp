@@ -86,14 +86,13 @@ void state_in_view(const Part& part, const Directions& directions, const Unknown
 }
 
 // What lies on one line square to a direction, which is that of a face, is one place. Beside planes, lines align only
-// along the axes of the views.
+// along the axes of the views, and those of a part that is turned in one.
 void state_in_line(const Part& part, const Directions& directions, const Unknowns& unknowns, const Marks& marks,
                    Statement& statement) {
   for (std::size_t d = 0; d < directions.directions.size(); ++d) {
     const Vec3& along = directions.directions[d];
-    const bool is_main = std::any_of(marks.axes.begin(), marks.axes.end(), [&](const Vec3& axis) {
-      return glm::length(glm::cross(axis, along)) <= drawn_parallel;
-    });
+    const auto is_along = [&](const Vec3& axis) { return glm::length(glm::cross(axis, along)) <= drawn_parallel; };
+    const bool is_main = std::ranges::any_of(marks.axes, is_along) || std::ranges::any_of(marks.own_axes, is_along);
     std::vector<std::pair<double, int>> places;
     for (int face = 0; face < static_cast<int>(number_of(part)); ++face)
       if (const PartSurface& surface = surface_of(part, face);

@@ -40,7 +40,8 @@ struct Hexagon {
 
 /// What is on the sheet beside dimensions.
 struct Marks {
-  std::vector<Vec3> axes{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};  ///< of the views: along which lines align
+  std::vector<Vec3> axes{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};  ///< of the views: along which lines align,
+  std::vector<Vec3> own_axes{};  ///< as along those of a part that is turned in a view
   std::vector<SymmetryLine> symmetries{};
   std::vector<PitchCircle> circles{};
   std::vector<EvenAxes> even_axes{};

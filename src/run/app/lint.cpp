@@ -130,7 +130,10 @@ std::string hint_for_machines(const report::Report& report) {
 }
 
 // What to add to the command; a scene file has a [[view]] for each.
-std::string hint_of(const std::vector<std::string>& views) {
+std::string hint_of(const std::vector<std::string>& views, const std::string& transform) {
+  if (!transform.empty())
+    return "  hint: the part lies askew to the axes of the views: --transform '" + transform +
+           "', after others, draws it along its own\n";
   if (views.empty()) return "";
   std::string text = "  hint: these views show more:";
   for (const std::string& view : views) text += " --projection " + view;
@@ -182,7 +185,10 @@ std::string findings_json(const report::Report& report) {
          ", \"requirements\": " +
          output::json_lines(
              report.requirements, [](const report::RequirementRow& row) { return json_of(row); }, "\n  ") +
-         ", \"views_to_add\": " + output::json_list(report.views_to_add, output::json_string) + "}\n";
+         ", \"views_to_add\": " + output::json_list(report.views_to_add, output::json_string) +
+         (report.transform_to_add.empty() ? ""
+                                          : ", \"transform_to_add\": " + output::json_string(report.transform_to_add)) +
+         "}\n";
 }
 
 int lint(DrawOptions options) {
@@ -203,7 +209,9 @@ int lint(DrawOptions options) {
   if (!options.found_json.empty()) pipeline::write({options.found_json, findings_json(drawn.report)}, {});
   if (options.found_json != "-") {
     std::fputs(printed_findings(findings, options.lint_all).c_str(), stdout);
-    std::fputs((hint_for_machines(drawn.report) + hint_of(drawn.report.views_to_add)).c_str(), stdout);
+    std::fputs(
+        (hint_for_machines(drawn.report) + hint_of(drawn.report.views_to_add, drawn.report.transform_to_add)).c_str(),
+        stdout);
     std::fputs(axes_of(drawn.report).c_str(), stdout);
   }
   const bool is_faulty = missing_in(drawn.report.sizes) > 0 ||

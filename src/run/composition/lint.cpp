@@ -77,6 +77,7 @@ void add_uncovered_sizes(report::Report& report, const JudgedSheets& sheets, std
   for (const std::string& what : coverage.repeated) findings.push_back({report::FindingKind::repeated, "", what});
   report.sizes = std::move(coverage.counts);
   report.views_to_add = std::move(coverage.views_to_add);
+  report.transform_to_add = std::move(coverage.transform_to_add);
 }
 
 HatchedFaces add_free_faces(report::Report& report, sheet::FreeFaces found, const Granted& granted) {

@@ -125,7 +125,8 @@ void warn_of_unplaced(const Messages& messages, const std::vector<Annotations>& 
   for (const auto& [name, count] : omitted.askew) append_to_list(askew, sheet::times(count) + name);
   if (!askew.empty())
     messages.warn("no positions are given where axes are askew to faces and views: " + askew +
-                  "\n  hint: add a view along the axis, auxiliary:direction=X,Y,Z (epura lint tells which)");
+                  "\n  hint: add a view along the axis, auxiliary:direction=X,Y,Z, or turn the part by "
+                  "--transform (epura lint tells how)");
 }
 
 bool warn_of_unmatched(const Messages& messages, const scene::SceneDescription& scene, MatchedSizes sizes) {

@@ -161,6 +161,7 @@ struct Report {
   std::vector<Finding> findings{};                      ///< if requested
   std::vector<SizeCount> sizes{};                       ///< with findings
   std::vector<std::string> views_to_add{};              ///< projections that show what has no dimension, with findings
+  std::string transform_to_add{};                       ///< of a model, instead of these
   std::vector<RequirementRow> requirements{};           ///< of model files, in their order
   bool cut_off = false;                                 ///< views extend beyond the paper
   bool unmatched_sizes = false;                         ///< what is said of sizes fits none of them

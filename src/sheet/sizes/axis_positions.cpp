@@ -129,11 +129,26 @@ std::vector<scene::DimensionDescription> row_dimensions(const Planning& plan, co
   return dimensions;
 }
 
+// Along the own axes of a turned part, from the faces that are rather on the left and below.
+Planned own_positions_of(const TurnedPart& part, std::span<const Vec3> centres, const NamedProjection& view,
+                         int group) {
+  Planned planned;
+  for (const std::size_t side : {0U, 1U}) {
+    const Vec3& along = part.directions[side];
+    const double right = glm::dot(along, view.projection.u), up = glm::dot(along, view.projection.v);
+    const features::PlaneFeature* base = part.ends[side][(std::abs(right) > std::abs(up) ? right : up) < 0 ? 1 : 0];
+    for (const Vec3& centre : centres) planned.places.emplace_back(SlantedPlace{&view, base, along, centre, group});
+  }
+  return planned;
+}
+
 }  // namespace
 
 Planned positions_of(const Planning& plan, std::span<const Vec3> centres, const Vec3& axis,
                      const NamedProjection* along, int group) {
   check(!centres.empty(), "a group of features has one");
+  if (along != nullptr && plan.table.is_turned(axis))
+    return own_positions_of(*plan.table.turned, centres, *along, group);
   Planned planned;
   for (int world = 0; world < 3; ++world)
     if (std::abs(axis[world]) <= parallel)

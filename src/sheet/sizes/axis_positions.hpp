@@ -10,7 +10,8 @@
 namespace epura::sheet {
 
 /// The positions of equal features with parallel axes across these: along axes of the world in the view that sees them
-/// come towards it, `along` if it shows the direction; along a slope on the face on which they begin. Others are askew.
+/// come towards it, `along` if it shows the direction; along the own axes of a turned part; along a slope on the face
+/// on which they begin. Others are askew.
 Planned positions_of(const Planning& plan, std::span<const Vec3> centres, const Vec3& axis,
                      const NamedProjection* along, int group);
 

@@ -19,6 +19,7 @@
 #include "sizes/equal_features.hpp"
 #include "sizes/face_coverage.hpp"
 #include "sizes/feature_places.hpp"
+#include "sizes/own_frame.hpp"
 #include "sizes/place_chain.hpp"
 #include "sizes/place_joins.hpp"
 #include "sizes/sizes_on_sheet.hpp"
@@ -54,7 +55,10 @@ std::string view_along(const Vec3& axis) {
   const double largest = std::max({std::abs(axis.x), std::abs(axis.y), std::abs(axis.z)});
   check(largest > 0, "an axis has a direction");
   std::string name = "auxiliary:direction=";
-  for (int i = 0; i < 3; ++i) name += (i > 0 ? "," : "") + format_rounded(axis[i] / largest, 6);
+  for (int i = 0; i < 3; ++i) {
+    const double part = axis[i] / largest;
+    name += (i > 0 ? "," : "") + format_rounded(std::abs(part) <= features::same_point ? 0 : part, 6);
+  }
   return name;
 }
 
@@ -63,14 +67,14 @@ std::string view_along(const Vec3& axis) {
 Remedy remedy_for(const Vec3& axis, bool only_along, std::span<const DimensionsInView> views) {
   if (is_seen_along(axis, views) || (!only_along && is_seen_beside(axis, views))) return {};
   const std::string view = view_along(axis);
-  return {", which no view shows in its true form: add the view " + view, view};
+  return {", which no view shows in its true form", view};
 }
 
 /// The same for a rounded edge around an axis, whose section may be seen in a view that is not there.
 Remedy remedy_beside(const Vec3& axis, std::span<const DimensionsInView> views) {
   for (const int normal : {1, 0, 2})
     if (const Vec3 n = Mat3(1)[normal]; std::abs(glm::dot(n, axis)) <= features::parallel && !is_seen_along(n, views))
-      return {", whose section may be seen in the view " + view_along(n), view_along(n)};
+      return {", whose section no view shows", view_along(n)};
   return {};
 }
 
@@ -80,12 +84,14 @@ using Sentences = std::vector<std::string>;
 
 /// What is said of sizes that no dimension gives, and of what shows them.
 struct Missing {
+  bool with_views = true;  ///< whether a view helps
   Sentences sentences{};
   std::vector<std::string> views{};
 
   void add(const std::string& name, const Remedy& remedy) {
-    sentences.push_back(name + remedy.sentence);
-    if (!remedy.view.empty()) views.push_back(remedy.view);
+    const bool with_view = with_views && !remedy.view.empty();
+    sentences.push_back(name + remedy.sentence + (with_view ? ": add the view " + remedy.view : ""));
+    if (with_view) views.push_back(remedy.view);
   }
 };
 
@@ -98,6 +104,7 @@ struct Dimensioned {
   FeatureTable table;
   SizesOnSheet on_sheet;
   std::vector<bool> given;  ///< of each size in the table
+  std::string transform;    ///< as of Coverage
 };
 
 /// Places along each axis that dimensions join to the ends of the models.
@@ -127,8 +134,14 @@ JoinedPlaces join_places(const Dimensioned& sheet) {
   std::vector<PlaceChain> chains;
   for (int axis = 0; axis < 3; ++axis)
     chains.emplace_back(axis, subject.extents[std::size_t(axis)], places, found.slack);
-  for (const PlaceJoin& join : all_joins(sheet))
+  // The sizes of a turned part along the axes of the world follow.
+  for (int axis = 0; axis < 3; ++axis)
+    if (const features::Extent& extent = subject.extents[std::size_t(axis)]; sheet.table.turns(axis))
+      chains[std::size_t(axis)].join({axis, extent.from, extent.to, 0});
+  for (const PlaceJoin& join : all_joins(sheet)) {
+    check(join.axis >= 0 && join.axis < 3, "places are joined along an axis of the world");
     if (!chains[std::size_t(join.axis)].join(join) && !join.name.empty()) found.repeated.push_back(join.name);
+  }
   for (std::size_t axis = 0; axis < 3; ++axis) {
     found.at[axis] = chains[axis].joined();
     found.open = joined(std::move(found.open), chains[axis].open(sheet.notation));
@@ -149,7 +162,7 @@ Remedy remedy_for_size(const FeatureSize& size, const Dimensioned& sheet) {
 }
 
 Missing missing_sizes(const Dimensioned& sheet) {
-  Missing missing;
+  Missing missing{.with_views = sheet.transform.empty()};
   for (std::size_t i = 0; i < sheet.given.size(); ++i)
     if (const FeatureSize& size = sheet.table.sizes[i]; !sheet.given[i])
       missing.add(size.name, remedy_for_size(size, sheet));
@@ -191,7 +204,7 @@ bool has_doubly_curved(const surfaces::PartFace& face, const Dimensioned& sheet)
 // Parts of a fillet around a corner belong to it: a dimension of its radius gives theirs.
 Missing missing_doubly_curved(const world::PlacedPart& part, const Dimensioned& sheet) {
   const auto length = [&](double value) { return length_text(value, sheet.notation); };
-  Missing missing;
+  Missing missing{.with_views = sheet.transform.empty()};
   std::vector<surfaces::PartSurface> seen;
   for (std::size_t number = 0; number < part.faces.size(); ++number) {
     if (number < sheet.held.size() && sheet.held[number] != 0) continue;
@@ -229,15 +242,22 @@ Missing missing_in_models(const Dimensioned& sheet) {
   return missing;
 }
 
-// Of a slope or a prism, by a dimension of its own, or by "2×" at one that is equal to it.
+// Of a slope or a prism, by a dimension of its own, by "2×" at one that is equal to it, or by one that `shares` it.
 template <class Feature>
-bool has_angle_in(std::span<const DimensionsInView> views, const Feature& feature, const std::vector<Feature>& all) {
+bool has_angle_in(std::span<const DimensionsInView> views, const Feature& feature, const std::vector<Feature>& all,
+                  const std::function<bool(const Feature& other)>& shares = {}) {
   return any_dimension(views, [&](const AnchoredDimension& one) {
-    return is_angle_of(one, feature) ||
-           (repeats_of(one.text) > 1 && std::any_of(all.begin(), all.end(), [&](const Feature& other) {
-              return are_equal(other, feature) && is_angle_of(one, other);
-            }));
+    return std::any_of(all.begin(), all.end(), [&](const Feature& other) {
+      const bool is_of_both =
+          &other == &feature || (repeats_of(one.text) > 1 && are_equal(other, feature)) || (shares && shares(other));
+      return is_of_both && is_angle_of(one, other);
+    });
   });
+}
+
+bool has_angle_of_prism(const Dimensioned& sheet, const TurnedPrism& prism) {
+  return has_angle_in<TurnedPrism>(sheet.views, prism, sheet.table.prisms,
+                                   [&](const TurnedPrism& other) { return sheet.table.share_angle(other, prism); });
 }
 
 // Of each slope: by its angle, or by the places of its ends.
@@ -260,13 +280,14 @@ Sentences missing_angles(const Dimensioned& sheet) {
     if (has_angle(bevel, sheet.subject) && !has_angle_in(sheet.views, bevel, bevels))
       missing.push_back("slope of " + format_rounded(bevel.area, 4) + " mm²: angle");
   for (const TurnedPrism& prism : sheet.table.prisms)
-    if (!has_angle_in(sheet.views, prism, sheet.table.prisms))
+    if (!has_angle_of_prism(sheet, prism))
       missing.push_back(std::string("turned ") + (prism.inwards ? "hole" : "boss") + ": angle");
   return missing;
 }
 
-// Positions of holes are asked for along the axes of the world across theirs.
-bool is_placed(const features::HoleFeature& hole, const JoinedPlaces& places) {
+// Positions of holes are asked for along the axes of the world across theirs; those of a turned part, by cover_turned.
+bool is_placed(const features::HoleFeature& hole, const FeatureTable& table, const JoinedPlaces& places) {
+  if (table.is_turned(hole.axis)) return true;
   for (int axis = 0; axis < 3; ++axis)
     if (std::abs(hole.axis[axis]) <= features::parallel && !places.has(axis, hole.mouth[axis])) return false;
   return true;
@@ -307,8 +328,8 @@ std::vector<KnownPrism> known_prisms(const Dimensioned& sheet) {
   const std::size_t first = sheet.table.first(SizeKind::side);
   for (std::size_t i = 0; i < sheet.table.prisms.size(); ++i) {
     const TurnedPrism& prism = sheet.table.prisms[i];
-    prisms.push_back({prism, sheet.given[first + 2 * i] && sheet.given[first + 2 * i + 1] &&
-                                 has_angle_in(sheet.views, prism, sheet.table.prisms)});
+    prisms.push_back(
+        {prism, sheet.given[first + 2 * i] && sheet.given[first + 2 * i + 1] && has_angle_of_prism(sheet, prism)});
   }
   return prisms;
 }
@@ -345,7 +366,7 @@ report::SizeCount count_holes(const Dimensioned& sheet, const JoinedPlaces& plac
   check(given.size() == holes.size() && are_turned_known.size() == holes.size(), "each hole has a size");
   int placed = 0;
   for (std::size_t i = 0; i < holes.size(); ++i)
-    if (given[i] && are_turned_known[i] && is_placed(holes[i], places)) ++placed;
+    if (given[i] && are_turned_known[i] && is_placed(holes[i], sheet.table, places)) ++placed;
   return {"holes", placed, static_cast<int>(holes.size())};
 }
 
@@ -377,9 +398,11 @@ std::vector<std::string> distinct(const std::vector<std::string>& names) {
 
 Coverage find_coverage(std::span<const DimensionsInView> views, const DimensionSubject& subject,
                        const Notation& notation, std::span<const char> held) {
-  Dimensioned sheet{views, subject, notation, held, feature_table(subject, notation), {}, {}};
+  Dimensioned sheet{views, subject, notation, held, feature_table(subject, notation), {}, {}, {}};
+  sheet.transform = transform_to_own_frame(subject.world);
   sheet.on_sheet = sizes_on_sheet(views, subject, sheet.table);
   sheet.given = given_sizes(sheet.on_sheet, subject, sheet.table, notation);
+  check(sheet.given.size() == sheet.table.sizes.size(), "each size is given or missing");
   const JoinedPlaces places = join_places(sheet);
   const Missing sizes = missing_sizes(sheet), of_models = missing_in_models(sheet);
   const TurnedCoverage turned = cover_turned(views, subject, sheet.table, sheet.on_sheet, notation);
@@ -390,6 +413,7 @@ Coverage find_coverage(std::span<const DimensionsInView> views, const DimensionS
     missing = joined(std::move(missing), more);
   Coverage coverage{std::move(faces.counts), merged(missing), merged(joined(places.repeated, repeated_sizes(sheet))),
                     distinct(joined(sizes.views, of_models.views))};
+  if (!coverage.undimensioned.empty()) coverage.transform_to_add = sheet.transform;
   if (!subject.features.holes.empty()) coverage.counts.push_back(count_holes(sheet, places, turned.holes));
   return coverage;
 }

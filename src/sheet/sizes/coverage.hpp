@@ -18,6 +18,7 @@ struct Coverage {
   std::vector<std::string> undimensioned;
   std::vector<std::string> repeated;
   std::vector<std::string> views_to_add;  ///< each once: they show what no view shows
+  std::string transform_to_add{};         ///< instead of these, where the part lies askew (own_frame.hpp)
 };
 
 /// Along each axis of the world, places of features are nodes and dimensions join them: a place that no chain of

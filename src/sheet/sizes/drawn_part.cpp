@@ -320,6 +320,37 @@ void add_hexagons(DrawnPart& drawn, const ParallelPlanes& planes) {
     }
 }
 
+// Of a part that is turned about an axis of the world.
+void add_own_axes(DrawnPart& drawn, std::span<const features::Extent, 3> extents) {
+  std::vector<features::PlaneFeature> inclined(drawn.faces);
+  std::vector<Vec3> points;
+  FlatEnds flat{};
+  for (const definition::Contact& contact : drawn.part.contacts) {
+    points.insert(points.end(), contact.points.begin(), contact.points.end());
+    for (const int face : contact.faces) {
+      const PartSurface& surface = drawn.part.faces[static_cast<std::size_t>(face)].surface;
+      if (surface.kind != SurfaceKind::plane) continue;
+      features::PlaneFeature& plane = inclined[static_cast<std::size_t>(face)];
+      plane.normal = surface.axis;
+      plane.corners.insert(plane.corners.end(), contact.points.begin(), contact.points.end());
+    }
+  }
+  check(drawn.marks.own_axes.empty(), "a part is turned once");
+  const double slack = slack_of(drawn.part);
+  std::erase_if(inclined, [&](const features::PlaneFeature& plane) {
+    if (plane.corners.empty()) return true;
+    const int axis = features::axis_along(plane.normal);
+    if (axis < 0) return false;
+    const auto along = static_cast<std::size_t>(axis);
+    const double at = plane.corners.front()[axis];
+    flat[along][0] = flat[along][0] || std::abs(at - extents[along].from) <= slack;
+    flat[along][1] = flat[along][1] || std::abs(at - extents[along].to) <= slack;
+    return true;
+  });
+  if (const auto turned = find_turned_part(inclined, points, flat))
+    drawn.marks.own_axes.assign(turned->directions.begin(), turned->directions.end());
+}
+
 }  // namespace
 
 double slack_of(const Part& part) { return definition::drawn_in_line * part.size; }
@@ -347,6 +378,7 @@ DrawnPart with_drawn_lines(Part part, std::span<const DimensionsInView> views,
                      [&](const features::Extent& one) { return one.is_same_as(extents[i]); }))
       add_symmetry(drawn, planes, extents[i]);
   add_hexagons(drawn, planes);
+  add_own_axes(drawn, extents);
   for (const DimensionsInView& view : views)
     for (const AnchoredDimension& dimension : view.dimensions) {
       if (dimension.type == DimensionType::angular) add_centre_lines(drawn, dimension.points);

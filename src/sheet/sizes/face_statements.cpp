@@ -246,9 +246,10 @@ class Reader {
     say_one_of(std::move(found), repeats_of(dimension.text));
   }
 
-  // Equal widths of turned rectangles. Where each of these is, their centre lines may say.
+  // Equal widths of turned rectangles and hexagons. Where each of these is, their centre lines may say.
   void say_of_equal_widths(const AnchoredDimension& dimension, double width) {
-    std::vector<Row> rows, places;
+    std::vector<Candidate> widths;
+    std::vector<Row> places;
     for (int face = 0; face < static_cast<int>(count_); ++face)
       for (int other = 0; other < face; ++other) {
         const Vec3& normal = surface(face).axis;
@@ -260,14 +261,15 @@ class Reader {
         const Vec3 &from = unknowns_.anchor(other), &to = unknowns_.anchor(face);
         const double off = glm::dot(to - from, normal);
         if (!agree(std::abs(off), width)) continue;
-        rows.push_back(definition::length(unknowns_, part_, {End{from, {other}}, End{to, {face}}}, normal, -1));
+        const int hexagon = measured_.hexagon_of(face, other);  // whose three widths are one
+        widths.push_back({definition::length(unknowns_, part_, {End{from, {other}}, End{to, {face}}}, normal, -1),
+                          hexagon < 0 ? face : hexagon, hexagon < 0 ? other : -1});
         for (const int side : {face, other})
           places.push_back(unknowns_.surface_motion(side, unknowns_.anchor(side), surface(side).axis));
       }
-    check(places.size() == 2 * rows.size(), "each width has two sides");
-    const auto pairs = static_cast<int>(rows.size());
-    if (pairs < 2) return;
-    say(std::move(rows), pairs <= repeats_of(dimension.text));
+    check(places.size() == 2 * widths.size(), "each width has two sides");
+    if (widths.size() < 2) return;
+    say_one_of(std::move(widths), repeats_of(dimension.text));
     say(std::move(places), false);
   }
 
@@ -277,7 +279,7 @@ class Reader {
     for (int face = 0; face < static_cast<int>(count_); ++face)
       for (const UnknownKind size : {UnknownKind::radius, UnknownKind::angle})
         if (measured_.is_around(face, circle)) rows.push_back(unknowns_.growth(face, size));
-    const std::vector<Vec3> rims = rims_around(circle);
+    const std::vector<Vec3> rims = measured_.rims_around(circle);
     for (const Vec3& rim : rims) rows.push_back(measured_.length(rims.front(), rim, circle.axis));
     say(std::move(rows), false);
   }
@@ -472,16 +474,8 @@ class Reader {
     return equal.size() > 1 ? equal : any;
   }
 
-  [[nodiscard]] std::vector<Vec3> rims_around(const WorldCircle& circle) const {
-    std::vector<Vec3> rims;
-    for (const definition::Contact& contact : part_.contacts)
-      if (measured_.is_around(contact.faces[0], circle) || measured_.is_around(contact.faces[1], circle))
-        rims.insert(rims.end(), contact.points.begin(), contact.points.end());
-    return rims;
-  }
-
   void add_depths(std::vector<Row>& rows, const WorldCircle& circle, double depth) const {
-    const std::vector<Vec3> rims = rims_around(circle);
+    const std::vector<Vec3> rims = measured_.rims_around(circle);
     std::vector<double> done;
     for (std::size_t i = 0; i < rims.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
@@ -499,7 +493,7 @@ class Reader {
   // Of radial holes, below the place where their axis meets a round face.
   void add_depths_below_round_faces(std::vector<Row>& rows, const WorldCircle& circle, double depth) const {
     std::vector<double> done;
-    for (const Vec3& rim : rims_around(circle)) {
+    for (const Vec3& rim : measured_.rims_around(circle)) {
       const double at = glm::dot(rim - circle.centre, circle.axis);
       if (std::any_of(done.begin(), done.end(), [&](double one) { return std::abs(one - at) <= slack_; })) continue;
       done.push_back(at);

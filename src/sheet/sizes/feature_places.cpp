@@ -25,35 +25,16 @@ std::vector<FeaturePlace> places_of_axes(const DimensionSubject& subject, const 
                                          const Notation& notation) {
   const features::PartFeatures& features = subject.features;
   std::vector<FeaturePlace> places;
-  const auto add = [&](const Vec3& centre, const Vec3& axis, const std::string& name) {
-    for (FeaturePlace& place : places_across(centre, axis, name)) places.push_back(std::move(place));
-  };
-  const auto length = [&](double value) { return length_text(value, notation); };
-  for (const features::HoleFeature& hole : features.holes) add(hole.mouth, hole.axis, "hole ⌀" + length(hole.diameter));
-  for (const features::CylinderFeature& cylinder : features.cylinders)
-    add(cylinder.from, cylinder.axis, name_of(cylinder, notation));
-  for (const features::SlotFeature& slot : features.slots)
-    for (const Vec3& centre : slot.centres) add(centre, slot.axis, "slot R" + length(slot.radius));
-  for (const features::PitchCircleFeature& circle : features.pitch_circles)
-    add(circle.centre, circle.axis, "pitch circle ⌀" + length(2 * circle.radius));
-  for (const RoundEnd& end : table.round_ends) add(end.centre, end.axis, "round end R" + length(end.radius));
-  for (const RoundEnd& channel : table.channels) {
-    check(channel.radius > 0, "a channel is an arc");
-    add(channel.centre, channel.axis, "channel R" + length(channel.radius));
-  }
-  for (const TurnedPrism& prism : table.prisms)
-    add(prism.centre, prism.axis, prism.inwards ? "turned hole" : "turned boss");
+  for (const PlacedAxis& one : placed_axes(features, table, notation))
+    if (!table.is_turned(one.axis))
+      for (FeaturePlace& place : places_across(one.centre, one.axis, one.name)) places.push_back(std::move(place));
   for (const int number : table.balls)
     for (int axis = 0; axis < 3; ++axis)
       if (const features::BallFeature& ball = features.balls[static_cast<std::size_t>(number)];
           !ends_models(ball, axis, subject.extents[static_cast<std::size_t>(axis)]))
-        places.push_back({axis, ball.centre[axis], "sphere SR" + length(ball.radius)});
-  for (const features::ConeFeature& cone : features.cones)
-    add(cone.ends[1], cone.axis, "cone ⌀" + length(2 * cone.radii[1]));
+        places.push_back({axis, ball.centre[axis], "sphere SR" + length_text(ball.radius, notation)});
   for (std::size_t i = table.first(SizeKind::ring); i < table.first(SizeKind::side); ++i)
     for (int axis = 0; axis < 3; ++axis) places.push_back({axis, table.sizes[i].centre[axis], table.sizes[i].name});
-  for (const features::HexagonFeature& hexagon : features.hexagons)
-    add(hexagon.centre, hexagon.axis, "hexagon " + length(hexagon.across_flats));
   return places;
 }
 
@@ -80,6 +61,35 @@ std::vector<FeaturePlace> places_of_ends(const DimensionSubject& subject) {
 }
 
 }  // namespace
+
+std::vector<PlacedAxis> placed_axes(const features::PartFeatures& features, const FeatureTable& table,
+                                    const Notation& notation) {
+  std::vector<PlacedAxis> axes;
+  const auto add = [&](const Vec3& centre, const Vec3& axis, const std::string& name) {
+    axes.push_back({centre, axis, name});
+  };
+  const auto length = [&](double value) { return length_text(value, notation); };
+  for (const features::HoleFeature& hole : features.holes) add(hole.mouth, hole.axis, "hole ⌀" + length(hole.diameter));
+  for (const features::CylinderFeature& cylinder : features.cylinders)
+    add(cylinder.from, cylinder.axis, name_of(cylinder, notation));
+  for (const features::SlotFeature& slot : features.slots)
+    for (const Vec3& centre : slot.centres) add(centre, slot.axis, "slot R" + length(slot.radius));
+  for (const features::PitchCircleFeature& circle : features.pitch_circles)
+    add(circle.centre, circle.axis, "pitch circle ⌀" + length(2 * circle.radius));
+  for (const RoundEnd& end : table.round_ends) add(end.centre, end.axis, "round end R" + length(end.radius));
+  for (const RoundEnd& channel : table.channels) {
+    check(channel.radius > 0, "a channel is an arc");
+    add(channel.centre, channel.axis, "channel R" + length(channel.radius));
+  }
+  for (const TurnedPrism& prism : table.prisms)
+    if (!table.turned || !table.turned->is_ended_by(prism))
+      add(prism.centre, prism.axis, prism.inwards ? "turned hole" : "turned boss");
+  for (const features::ConeFeature& cone : features.cones)
+    add(cone.ends[1], cone.axis, "cone ⌀" + length(2 * cone.radii[1]));
+  for (const features::HexagonFeature& hexagon : features.hexagons)
+    add(hexagon.centre, hexagon.axis, "hexagon " + length(hexagon.across_flats));
+  return axes;
+}
 
 std::vector<FeaturePlace> places_of_features(const DimensionSubject& subject, const FeatureTable& table,
                                              const Notation& notation) {

@@ -15,7 +15,17 @@ struct FeaturePlace {
   std::string name;  ///< empty if it needs no dimension
 };
 
-/// Of all features, feature by feature.
+/// The axis of a feature, which has a place across it.
+struct PlacedAxis {
+  Vec3 centre, axis;
+  std::string name;
+};
+
+/// Of all features but spheres, tori and a turned part itself, kind by kind; first of holes, in their order.
+std::vector<PlacedAxis> placed_axes(const features::PartFeatures& features, const FeatureTable& table,
+                                    const Notation& notation);
+
+/// Of all features, feature by feature, apart from those whose places are along the own axes of a turned part.
 std::vector<FeaturePlace> places_of_features(const DimensionSubject& subject, const FeatureTable& table,
                                              const Notation& notation);
 

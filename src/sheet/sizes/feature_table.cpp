@@ -183,6 +183,16 @@ const FeatureSize& FeatureTable::size_of(SizeKind kind, std::size_t feature) con
   return sizes[number];
 }
 
+bool FeatureTable::is_turned(const Vec3& axis) const { return turned && are_parallel(axis, turned->axis); }
+
+OwnDirections FeatureTable::own_directions(const Vec3& axis) const {
+  return is_turned(axis) ? OwnDirections(turned->directions) : std::nullopt;
+}
+
+bool FeatureTable::share_angle(const TurnedPrism& a, const TurnedPrism& b) const {
+  return turned && turned->has_directions_of(a) && turned->has_directions_of(b);
+}
+
 bool FeatureTable::is_radial(const features::HoleFeature& hole) const {
   return std::any_of(radial.begin(), radial.end(), [&](const RadialPattern& pattern) {
     return std::find(pattern.holes.begin(), pattern.holes.end(), &hole) != pattern.holes.end();
@@ -203,7 +213,10 @@ FeatureTable feature_table(const DimensionSubject& subject, const Notation& nota
                      .hexagon_chamfers = find_hexagon_chamfers(subject),
                      .radial = find_radial_patterns(features)};
   // The drawing of an assembly gives the places of its parts alone.
-  if (!features.of_assembly) table.prisms = find_turned_prisms(features);
+  if (!features.of_assembly) {
+    table.prisms = find_turned_prisms(features);
+    table.turned = find_turned_part(features.inclined, features::points_of_faces(subject.world), flat);
+  }
   for (const SizeKind kind : {SizeKind::hole, SizeKind::cylinder, SizeKind::pitch_circle, SizeKind::cone_end,
                               SizeKind::slot, SizeKind::arc, SizeKind::hexagon, SizeKind::ring}) {
     const auto begin = static_cast<int>(table.sizes.size());

@@ -3,11 +3,14 @@
 // dimensions, tables of holes and `epura lint` have in common.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "features/limits.hpp"
 #include "sheet/notation.hpp"
 #include "sizes/anchors.hpp"
 #include "sizes/automatic.hpp"
@@ -52,6 +55,7 @@ struct FeatureTable {
   std::vector<RoundEnd> channels{};
   std::vector<int> balls{};  ///< numbers of spheres, as of find_placed_balls
   std::vector<TurnedPrism> prisms{};
+  std::optional<TurnedPart> turned{};
   std::vector<HexagonChamfer> hexagon_chamfers{};
   std::vector<RadialPattern> radial{};
 
@@ -59,6 +63,13 @@ struct FeatureTable {
   /// the order of the features.
   [[nodiscard]] std::size_t first(SizeKind kind) const;
   [[nodiscard]] const FeatureSize& size_of(SizeKind kind, std::size_t feature) const;
+  /// Whether features about an axis have their places in the own axes of a turned part; and these.
+  [[nodiscard]] bool is_turned(const Vec3& axis) const;
+  [[nodiscard]] OwnDirections own_directions(const Vec3& axis) const;
+  /// Whether a turned part has its own axes instead of one of the world.
+  [[nodiscard]] bool turns(int world) const { return turned && std::abs(turned->axis[world]) <= features::parallel; }
+  /// Whether one angle is that of two prisms: in a turned part, of all along its axes.
+  [[nodiscard]] bool share_angle(const TurnedPrism& a, const TurnedPrism& b) const;
   /// Whether a hole is in a radial pattern.
   [[nodiscard]] bool is_radial(const features::HoleFeature& hole) const;
 };

@@ -6,12 +6,14 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
 #include "features/tolerances.hpp"
 #include "sizes/axis_positions.hpp"
 #include "sizes/equal_features.hpp"
+#include "sizes/prism_dimensions.hpp"
 
 namespace epura::sheet {
 
@@ -79,6 +81,28 @@ scene::DimensionDescription width_of(const Planning& plan, const HexagonFeature&
   return dimension;
 }
 
+// Of flats that are along no axis of the world, nor along those of a turned part.
+std::optional<scene::DimensionDescription> angle_of(const Planning& plan, const HexagonFeature& hexagon,
+                                                    std::size_t count) {
+  const NamedProjection* view = plan.views.along(hexagon.axis);
+  const auto is_straight = [&](const Vec3& normal) {
+    return features::axis_along(normal) >= 0 ||
+           (plan.table.is_turned(hexagon.axis) && (are_parallel(normal, plan.table.turned->directions[0]) ||
+                                                   are_parallel(normal, plan.table.turned->directions[1])));
+  };
+  if (view == nullptr || features::axis_along(hexagon.axis) < 0 || std::ranges::any_of(hexagon.normals, is_straight))
+    return std::nullopt;
+  check(hexagon.half_flat > 0, "a flat has a length");
+  std::vector<Side> sides;
+  for (const Vec3& normal : hexagon.normals)
+    for (const double side : {-0.5, 0.5})
+      for (const double way : {-1.0, 1.0}) {
+        const Vec3 half = way * hexagon.half_flat * glm::cross(hexagon.axis, normal);
+        sides.push_back({hexagon.centre + side * hexagon.across_flats * normal - half, 2.0 * half});
+      }
+  return angle_to_axis(plan, *view, sides, times(count) + "<>");
+}
+
 bool is_extent_across_flats(const HexagonFeature& hexagon, const DimensionSubject& subject) {
   for (int axis = 0; axis < 3; ++axis)
     if (is_extent(hexagon, axis, subject, true)) return true;
@@ -138,6 +162,7 @@ Planned hexagon_dimensions(const Planning& plan) {
     const auto shown = view_of(*group.front(), plan.views);
     if (shown && (group.size() > 1 || !is_extent_across_flats(*group.front(), plan.subject)))
       planned.dimensions.push_back(width_of(plan, *group.front(), *shown, group.size()));
+    if (auto angle = angle_of(plan, *group.front(), group.size())) planned.dimensions.push_back(std::move(*angle));
   }
   return planned;
 }

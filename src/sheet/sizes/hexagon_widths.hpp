@@ -18,7 +18,8 @@ bool are_equal(const features::HexagonFeature& a, const features::HexagonFeature
 /// Whether the size of the models along an axis is that across the corners of a hexagon whose width a view shows.
 bool is_across_corners(const Planning& plan, int axis);
 
-/// The width of each hexagon, of equal ones once, without those that are the size of the models; and positions. On the
+/// The width of each hexagon, of equal ones once, without those that are the size of the models, the angle of one that
+/// is turned, and positions. On the
 /// axis of a hexagon that is as large as the models, nothing needs one.
 Planned hexagon_dimensions(const Planning& plan);
 

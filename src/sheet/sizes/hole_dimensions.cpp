@@ -193,7 +193,7 @@ Planned radial_hole_dimensions(const Planning& plan) {
     const auto [view, shown] = view_of_radial(plan, pattern.holes);
     if (view == nullptr) continue;
     planned.dimensions.push_back(note_of(plan, *view, pattern.holes, shown));
-    planned.append({angles_of(plan, directions_of(pattern), true)});
+    planned.append({angles_of(plan, directions_of(pattern, plan.table.own_directions(pattern.axis)), true)});
     const int axis = world_axis(pattern.axis);
     const NamedProjection* across = plan.views.across(pattern.axis, shown->mouth);
     if (axis < 0 || across == nullptr) continue;
@@ -252,7 +252,8 @@ Planned pitch_circle_dimensions(const Planning& plan) {
     planned.dimensions.push_back(
         plan.dimension(DimensionType::diameter, *view, "<>", {circle.centre, circle.axis, circle.radius, {}}));
     const auto number = static_cast<int>(&circle - circles.data());
-    planned.append({angles_of(plan, directions_of(plan.subject.features, number), false)});
+    planned.append(
+        {angles_of(plan, directions_of(plan.subject.features, number, plan.table.own_directions(circle.axis)), false)});
     planned.append(positions_of(plan, std::array{circle.centre}, circle.axis, view,
                                 plan.group_of(SizeKind::pitch_circle, circles, &circle)));
   }

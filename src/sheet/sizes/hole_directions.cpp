@@ -177,8 +177,8 @@ bool HoleDirections::are_alike(std::size_t a, std::size_t b) const {
   return std::abs(angle(a) - angle(b)) <= 10 * same_size;
 }
 
-HoleDirections directions_of(const RadialPattern& pattern) {
-  HoleDirections around{pattern.centre, pattern.axis, pattern.holes, {}, 0, cross_of(pattern.axis)};
+HoleDirections directions_of(const RadialPattern& pattern, const OwnDirections& own) {
+  HoleDirections around{pattern.centre, pattern.axis, pattern.holes, {}, 0, own ? own : cross_of(pattern.axis)};
   for (const HoleFeature* hole : pattern.holes) {
     const Vec3 to = hole->mouth - around.centre, flat = to - glm::dot(to, pattern.axis) * pattern.axis;
     around.reach = std::max(around.reach, glm::length(flat));
@@ -187,9 +187,9 @@ HoleDirections directions_of(const RadialPattern& pattern) {
   return around;
 }
 
-HoleDirections directions_of(const features::PartFeatures& features, int number) {
+HoleDirections directions_of(const features::PartFeatures& features, int number, const OwnDirections& own) {
   const features::PitchCircleFeature& circle = features.pitch_circles[static_cast<std::size_t>(number)];
-  HoleDirections around{circle.centre, circle.axis, {}, {}, circle.radius, cross_of(circle.axis)};
+  HoleDirections around{circle.centre, circle.axis, {}, {}, circle.radius, own ? own : cross_of(circle.axis)};
   for (const HoleFeature& hole : features.holes)
     if (hole.pitch_circle == number) {
       const Vec3 to = hole.mouth - circle.centre;

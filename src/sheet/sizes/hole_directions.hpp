@@ -31,8 +31,8 @@ struct HoleDirections {
   std::vector<const features::HoleFeature*> holes;  ///< one or more
   std::vector<Vec3> directions;                     ///< of each: unit, perpendicular to the axis
   double reach;                                     ///< of the holes from the axis
-  /// Directions of centre lines, perpendicular to the axis and to each other: axes of the world, or one of these and
-  /// the slope across the axis; nothing if the axis is perpendicular to none.
+  /// Directions of centre lines, perpendicular to the axis and to each other: axes of the world, own ones of a turned
+  /// part, or one of the world and the slope across the axis; nothing if the axis is perpendicular to none.
   std::optional<std::array<Vec3, 2>> cross;
 
   /// The direction of a centre line, either way, that is nearest to that of a hole.
@@ -51,8 +51,10 @@ struct HoleDirections {
 /// axis is along one of the world, or perpendicular to none.
 std::optional<Vec3> slanted_across(const Vec3& axis);
 
-HoleDirections directions_of(const RadialPattern& pattern);
+/// `own`: across the axis, in a part that is turned about it.
+using OwnDirections = std::optional<std::array<Vec3, 2>>;
+HoleDirections directions_of(const RadialPattern& pattern, const OwnDirections& own);
 /// Of the holes on a pitch circle; `number` is its index.
-HoleDirections directions_of(const features::PartFeatures& features, int number);
+HoleDirections directions_of(const features::PartFeatures& features, int number, const OwnDirections& own);
 
 }  // namespace epura::sheet

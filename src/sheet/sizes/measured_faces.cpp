@@ -49,11 +49,26 @@ bool is_within(const Box& box, const Vec3& point) {
 MeasuredFaces::MeasuredFaces(const DrawnPart& drawn, const definition::Directions& directions,
                              const definition::Unknowns& unknowns, const Notation& notation)
     : part_(drawn.part),
+      hexagons_(drawn.marks.hexagons),
       directions_(directions),
       unknowns_(unknowns),
       notation_(notation),
       reaches_(reaches_of(drawn.part)),
       slack_(slack_of(drawn.part)) {}
+
+std::vector<Vec3> MeasuredFaces::rims_around(const WorldCircle& circle) const {
+  std::vector<Vec3> rims;
+  for (const definition::Contact& contact : part_.contacts)
+    if (is_around(contact.faces[0], circle) || is_around(contact.faces[1], circle))
+      rims.insert(rims.end(), contact.points.begin(), contact.points.end());
+  return rims;
+}
+
+int MeasuredFaces::hexagon_of(int side, int other) const {
+  for (const definition::Hexagon& one : hexagons_)
+    if (std::ranges::count(one.sides, side) + std::ranges::count(one.sides, other) == 2) return one.face;
+  return -1;
+}
 
 int MeasuredFaces::face_along(const Vec3& along) const {
   for (std::size_t i = 0; i < directions_.directions.size(); ++i)

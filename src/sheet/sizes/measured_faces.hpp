@@ -27,6 +27,10 @@ class MeasuredFaces {
   [[nodiscard]] definition::Row rim(const WorldCircle& circle) const;
   /// The circles of this radius on paper in which cones end, each once.
   [[nodiscard]] std::vector<WorldCircle> rims_of_cones(double radius) const;
+  /// Where faces about a circle end.
+  [[nodiscard]] std::vector<Vec3> rims_around(const WorldCircle& circle) const;
+  /// What is drawn for the hexagon that has both faces as its sides; -1 if there is none.
+  [[nodiscard]] int hexagon_of(int side, int other) const;
   /// The turn of a face in whose side a leg of an angle lies, seen along a direction, or of which it is the axis; of
   /// the line between two axes if it goes from one to the other.
   [[nodiscard]] definition::Row turn_of_leg(const Vec3& corner, const Vec3& end, const Vec3& sight) const;
@@ -52,6 +56,7 @@ class MeasuredFaces {
   [[nodiscard]] std::vector<definition::End> edges_at(const Vec3& point, const Vec3& along) const;
 
   const definition::Part& part_;
+  const std::vector<definition::Hexagon>& hexagons_;
   const definition::Directions& directions_;
   const definition::Unknowns& unknowns_;
   const Notation& notation_;

@@ -11,6 +11,7 @@
 #include "base/text.hpp"
 #include "features/tolerances.hpp"
 #include "sizes/equal_features.hpp"
+#include "sizes/feature_places.hpp"
 #include "sizes/hole_angles.hpp"
 
 namespace epura::sheet {
@@ -48,13 +49,13 @@ class TurnedFinder {
   TurnedCoverage find() {
     found_.holes.assign(features_.holes.size(), true);
     for (const RadialPattern& pattern : table_.radial) {
-      add_angles(directions_of(pattern));
+      add_angles(directions_of(pattern, table_.own_directions(pattern.axis)));
       if (!pattern.is_slanted || has_slant(pattern)) continue;
       for (const features::HoleFeature* hole : pattern.holes) found_.holes[number_of(hole)] = false;
       found_.missing.push_back(name_of(*pattern.holes.front()) + ": angle to the axis");
     }
     for (std::size_t i = 0; i < features_.pitch_circles.size(); ++i)
-      add_angles(directions_of(features_, static_cast<int>(i)));
+      add_angles(directions_of(features_, static_cast<int>(i), table_.own_directions(features_.pitch_circles[i].axis)));
     for (std::size_t i = 0; i < features_.holes.size(); ++i)
       if (const features::HoleFeature& hole = features_.holes[i];
           !table_.is_radial(hole) && !has_place(hole.mouth, hole.axis)) {
@@ -64,6 +65,7 @@ class TurnedFinder {
     for (const features::SlotFeature& slot : features_.slots)
       if (!has_place(slot.centres[0], slot.axis) || !has_place(slot.centres[1], slot.axis))
         found_.missing.push_back("slot R" + length_text(slot.radius, notation_) + ": position along its slope");
+    add_own_places();
     check(found_.holes.size() == features_.holes.size(), "each hole is given or missing");
     return std::move(found_);
   }
@@ -88,6 +90,30 @@ class TurnedFinder {
         found_.holes[number_of(around.holes[i])] = false;
         found_.missing.push_back(name_of(*around.holes[i]) + ": angle");
       }
+  }
+
+  // Holes in a table have coordinates, and those on a pitch circle its place.
+  void add_own_places() {
+    const std::vector<PlacedAxis> axes = placed_axes(features_, table_, notation_);
+    for (std::size_t i = 0; i < axes.size(); ++i) {
+      if (!table_.is_turned(axes[i].axis) || has_own_place(axes[i].centre)) continue;
+      const features::HoleFeature* hole = i < features_.holes.size() ? &features_.holes[i] : nullptr;
+      if (hole != nullptr && (hole->pitch_circle >= 0 || is_labelled(*hole, on_sheet_))) continue;
+      if (hole != nullptr) found_.holes[i] = false;
+      found_.missing.push_back(axes[i].name + ": position along the axes of the turned part");
+    }
+  }
+
+  [[nodiscard]] bool has_own_place(const Vec3& place) const {
+    const auto is_along = [&](std::size_t side) {
+      const Vec3& along = table_.turned->directions[side];
+      const auto& ends = table_.turned->ends[side];
+      const double at = glm::dot(place, along), from = glm::dot(ends[0]->corners.front(), along),
+                   to = glm::dot(ends[1]->corners.front(), along);
+      return std::min(std::abs(at - from), std::abs(at - to)) <= slack_ ||
+             any_dimension(views_, [&](const AnchoredDimension& one) { return measures(one, along, place, slack_); });
+    };
+    return is_along(0) && is_along(1);
   }
 
   // At any hole of a pattern.

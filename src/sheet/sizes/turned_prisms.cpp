@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "base/error.hpp"
 #include "features/tolerances.hpp"
@@ -95,6 +94,19 @@ std::optional<TurnedPrism> prism_of(const FacePair& a, const FacePair& b) {
   return TurnedPrism{a.model, centre, a.axis, {a.normal, way * b.normal}, {a.along.size(), b.along.size()}, a.inwards};
 }
 
+// The faces that end all points along a direction; null where none does.
+std::array<const PlaneFeature*, 2> ends_along(const Vec3& direction, const std::vector<PlaneFeature>& planes,
+                                              const std::vector<Vec3>& points) {
+  const Span all = span_along(points, direction);
+  std::array<const PlaneFeature*, 2> ends{};
+  for (const PlaneFeature& plane : planes)
+    for (const std::size_t end : {0U, 1U})
+      if (are_parallel(plane.normal, direction) && std::abs(glm::dot(plane.corners.front(), direction) -
+                                                            (end == 0 ? all.from : all.to)) <= same_size * all.size())
+        ends[end] = &plane;
+  return ends;
+}
+
 }  // namespace
 
 double TurnedPrism::reach(const Vec3& direction) const {
@@ -120,26 +132,35 @@ bool TurnedPrism::is_beside(const Vec3& from, const Vec3& to, std::size_t side) 
   return std::min(begin, end) < widths[side] / 2 && std::max(begin, end) > -widths[side] / 2;
 }
 
-bool TurnedPrism::is_whole(const std::array<features::Extent, 3>& extents) const {
-  for (int across = 0; across < 3; ++across) {
-    if (std::abs(axis[across]) > parallel) continue;
-    const double half = reach(Mat3(1)[across]);
-    const features::Extent& extent = extents[static_cast<std::size_t>(across)];
-    if (std::abs(extent.to - centre[across] - half) > same_size * half ||
-        std::abs(centre[across] - extent.from - half) > same_size * half)
-      return false;
-  }
-  return !inwards;
+bool TurnedPart::has_directions_of(const TurnedPrism& prism) const {
+  return are_parallel(prism.axis, axis) &&
+         (are_parallel(prism.normals[0], directions[0]) || are_parallel(prism.normals[0], directions[1]));
 }
 
-Vec3 TurnedPrism::nearest_axis() const {
-  Vec3 nearest(0);
-  for (int across = 0; across < 3; ++across) {
-    const Vec3 one = (normals[0][across] < 0 ? -1.0 : 1.0) * Mat3(1)[across];
-    if (glm::dot(one, normals[0]) > glm::dot(nearest, normals[0]) + parallel) nearest = one;
+bool TurnedPart::is_ended_by(const TurnedPrism& prism) const {
+  return !prism.inwards && std::ranges::all_of(ends, [&](const auto& both) {
+    return std::ranges::all_of(
+        both, [&](const PlaneFeature* end) { return prism.has_side(end->corners.front(), end->normal); });
+  });
+}
+
+std::optional<TurnedPart> find_turned_part(const std::vector<PlaneFeature>& inclined, const std::vector<Vec3>& points,
+                                           const FlatEnds& flat) {
+  for (const PlaneFeature& plane : inclined) {
+    const int world = axis_beside(plane.normal);
+    if (world < 0) continue;
+    bool is_flat = false;
+    for (const int step : {1, 2}) {
+      const auto other = static_cast<std::size_t>((world + step) % 3);
+      is_flat = is_flat || flat[other][0] || flat[other][1];
+    }
+    const Vec3 axis = Mat3(1)[world];
+    TurnedPart part{axis, {plane.normal, glm::cross(axis, plane.normal)}, {}};
+    for (const std::size_t side : {0U, 1U}) part.ends[side] = ends_along(part.directions[side], inclined, points);
+    const auto is_ended = [](const auto& ends) { return ends[0] != nullptr && ends[1] != nullptr; };
+    if (!is_flat && is_ended(part.ends[0]) && is_ended(part.ends[1])) return part;
   }
-  check(nearest != Vec3(0), "a side has a direction");
-  return nearest;
+  return std::nullopt;
 }
 
 std::vector<TurnedPrism> find_turned_prisms(const features::PartFeatures& features) {

@@ -4,10 +4,12 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "sizes/anchors.hpp"
 #include "sizes/automatic.hpp"
+#include "sizes/round_ends.hpp"
 
 namespace epura::sheet {
 
@@ -24,11 +26,24 @@ struct TurnedPrism {
   [[nodiscard]] bool has_side(const Vec3& point, const Vec3& normal) const;
   /// Whether a line from one point to another runs along a normal, in a side or in the middle between the two.
   [[nodiscard]] bool is_beside(const Vec3& from, const Vec3& to, std::size_t side) const;
-  /// Whether it is what the size of the models is along both axes of the world across its own.
-  [[nodiscard]] bool is_whole(const std::array<features::Extent, 3>& extents) const;
-  /// The axis of the world, in either direction, that is nearest to the first normal.
-  [[nodiscard]] Vec3 nearest_axis() const;
 };
+
+/// A part that is turned about an axis of the world, which ends at plane faces along two axes of its own across that.
+struct TurnedPart {
+  Vec3 axis;
+  std::array<Vec3, 2> directions;  ///< unit, perpendicular to the axis and to each other
+  std::array<std::array<const features::PlaneFeature*, 2>, 2> ends;  ///< along each, at its beginning and its end
+
+  /// Whether the sides of a prism are along these directions.
+  [[nodiscard]] bool has_directions_of(const TurnedPrism& prism) const;
+  /// Whether a prism is the whole part.
+  [[nodiscard]] bool is_ended_by(const TurnedPrism& prism) const;
+};
+
+/// Of faces that are perpendicular to no axis of the world, to which it refers. Nothing if a plane face ends the part,
+/// which has `points`, along another axis of the world.
+std::optional<TurnedPart> find_turned_part(const std::vector<features::PlaneFeature>& inclined,
+                                           const std::vector<Vec3>& points, const FlatEnds& flat);
 
 /// Two pairs of plane faces that look at each other, or away from each other, across one middle.
 std::vector<TurnedPrism> find_turned_prisms(const features::PartFeatures& features);

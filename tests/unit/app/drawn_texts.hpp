@@ -17,6 +17,15 @@ namespace epura::test {
 
 using Words = std::vector<std::string>;
 
+/// The transform that lint proposes; empty if it does not.
+inline std::string proposed_transform(const std::string& out) {
+  const std::string before = "--transform '";
+  const std::size_t begin = out.find(before);
+  return begin == std::string::npos
+             ? ""
+             : out.substr(begin + before.size(), out.find('\'', begin + before.size()) - begin - before.size());
+}
+
 inline Words sorted(Words texts) {
   std::sort(texts.begin(), texts.end());
   return texts;

@@ -89,7 +89,7 @@ inline std::string two_bosses() {
 inline std::vector<KnownPart> hexagons() {
   return {{"a nut", nut(0), {"(20.78)", "18", "8", "⌀10"}},
           {"a nut turned by 30 degrees", nut(30), {"18", "(20.78)", "8", "⌀10"}},
-          {"a nut turned by 10 degrees", nut(10), {"(20.47)", "(19.53)", "18", "8", "⌀10"}},
+          {"a nut turned by 10 degrees", nut(10), {"(20.47)", "(19.53)", "18", "8", "⌀10", "10°"}},
           {"a chamfered nut", chamfered_nut(), {"(20.78)", "18", "8", "⌀10", "⌀17", "6.91"}},
           {"a bolt", bolt(hexagon(18), 7, false), {"(20.78)", "18", "37", "⌀10", "30"}},
           {"a socket screw", bolt(circle({0, 0}, 8, 0), 10, true), {"40", "⌀16", "⌀10", "30", "35", "8"}},

@@ -153,6 +153,52 @@ TEST_F(MissingSizes, AreTold) {
   for (const char* placed : {"scale:1", "rotate:x,20"}) EXPECT_FALSE(contains(told(one, placed), "askew")) << placed;
 }
 
+// Nobody counts the corners of so many teeth.
+TEST_F(MissingSizes, OfManyEqualRadiiHaveNoCount) {
+  const auto radius = [&](int teeth) {
+    Loop comb{{0, 0}, {6.0 * teeth, 0}, {6.0 * teeth, 20}};
+    std::vector<double> radii{0, 0, 0};
+    for (int i = teeth - 1; i >= 0; --i)
+      for (const Vec2& p : {Vec2(5, 20), Vec2(5, 30), Vec2(1, 30), Vec2(1, 20)}) {
+        comb.emplace_back(6.0 * i + p.x, p.y);
+        radii.push_back(p.y > 20 ? 1 : 0);
+      }
+    comb.emplace_back(0, 20);
+    radii.push_back(0);
+    lint(folder.file("part.obj", block(rounded(comb, radii), 8)));
+    Words texts;
+    for (const auto& [text, box] : boxes_in(dimension_layers(read_file(folder / "x.svg"))))
+      if (text.ends_with("R1")) texts.push_back(text);
+    return texts;
+  };
+  EXPECT_EQ(radius(5), Words{"10× R1"});
+  EXPECT_EQ(radius(21), Words{"R1"});
+}
+
+// About an axis between those of the world, they have all sizes after the transform that lint proposes.
+TEST_F(MissingSizes, OfPartsThatLieAskewAreGivenAlongTheirOwnAxes) {
+  const std::vector<KnownPart> parts{plates()[0], plates()[4], plate_with_two_turned_holes(), wedges_with_pairs()[3],
+                                     turned_plates()[2]};
+  for (const KnownPart& known : parts)
+    for (const char* turned :
+         {"rotate:x,20 rotate:y,-25", "rotate:z,30 rotate:x,15 rotate:z,-12", "rotate:y,35 rotate:z,1"}) {
+      const std::string part = folder.file("part.obj", known.obj);
+      const Words views{"lint",    part, "--views", "front,top,left", "--dimensions", "auto",
+                        "--sheet", "A2", "-o",      "x.svg",          "--transform"};
+      const auto run = [&](const std::string& transform) {
+        Words arguments = views;
+        arguments.push_back(transform);
+        return epura(arguments, folder / "");
+      };
+      const Outcome askew = run(turned);
+      EXPECT_EQ(askew.code, 1) << known.name << ": " << turned;
+      const Outcome along = run(std::string(turned) + " " + proposed_transform(askew.out));
+      EXPECT_EQ(along.code, 0) << known.name << ": " << turned << ": " << askew.out << along.out;
+      EXPECT_EQ(sorted(dimensions_in(read_file(folder / "x.svg"))), sorted(known.texts))
+          << known.name << ": " << turned;
+    }
+}
+
 /// Sheets of metal, both sides of which are one line.
 std::vector<KnownPart> foils() {
   std::vector<KnownPart> parts;
@@ -191,6 +237,9 @@ const Family families[] = {
     {"HolesInSlopes", wedges_with_holes},
     {"PairsInSlopes", wedges_with_pairs},
     {"UnevenPitchCircles", uneven_pitch_circles},
+    {"TurnedPlates", turned_plates},
+    {"TurnedRoundedPlates", turned_rounded_plates},
+    {"TurnedHexagons", turned_hexagons},
     {"ConicalBosses", plates_with_conical_bosses},
     {"ConicalTubes", conical_tubes},
     {"Channels", channels},
