@@ -166,10 +166,17 @@ class PictorialPlanner {
     return {-towards, hole.mouth - hole.reach * hole.axis};
   }
 
-  // Of holes that are on no pitch circle, which axonometric views do not draw.
+  // Of bores and bosses, and of holes that are on no pitch circle, which axonometric views do not draw.
   void add_positions() {
     for (const features::HoleFeature& hole : subject_.features.holes)
       if (hole.pitch_circle < 0) add_position(open_end(hole).second, world_axis(hole.axis));
+    for (const features::CylinderFeature& one : subject_.features.cylinders)
+      add_position(near_end(one), world_axis(one.axis));
+  }
+
+  // Towards the eye.
+  [[nodiscard]] Vec3 near_end(const features::CylinderFeature& one) const {
+    return glm::dot(one.from - one.to, view_.projection.n) > 0 ? one.from : one.to;
   }
 
   // Along the axes of the world, from the ends of the models or the axis of round ones; each place once.
@@ -209,10 +216,8 @@ class PictorialPlanner {
       const features::CylinderFeature& shown = *group.front();
       const auto is_its = [&](const features::Extent& extent) { return is_diameter(extent, shown); };
       if (std::any_of(subject_.extents.begin(), subject_.extents.end(), is_its) != overall) continue;
-      const Vec3& n = view_.projection.n;
-      const Vec3& end = glm::dot(shown.from, n) > glm::dot(shown.to, n) ? shown.from : shown.to;
       add(DimensionType::diameter, times(group.size()) + name_in_note(shown.thread)).circle = {
-          end, shown.axis, shown.called(), {}};
+          near_end(shown), shown.axis, shown.called(), {}};
     }
   }
 

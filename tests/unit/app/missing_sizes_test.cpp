@@ -9,6 +9,7 @@
 #include "at_length.hpp"
 #include "crossed_parts.hpp"
 #include "drawn_texts.hpp"
+#include "errors.hpp"
 #include "folder.hpp"
 #include "grooved_parts.hpp"
 #include "program.hpp"
@@ -151,6 +152,27 @@ TEST_F(MissingSizes, AreTold) {
   EXPECT_TRUE(contains(told(one, "rotate:x,20 rotate:y,30"),
                        "no positions are given where axes are askew to faces and views: hole ⌀10"));
   for (const char* placed : {"scale:1", "rotate:x,20"}) EXPECT_FALSE(contains(told(one, placed), "askew")) << placed;
+}
+
+// A bore that is wider at both ends, and a boss, have places as holes have.
+TEST_F(MissingSizes, OfAxonometricViewsAreNotThoseOfPlaces) {
+  const Vec2 centre(18, 15);
+  const auto ring = [&](double radius) { return circle(centre, radius, -135); };
+  const auto texts = [&](const Hole& loops) {
+    Plate plate(20);
+    plate.cell(square({0, 0}, {60, 40}), loops);
+    const Outcome run = epura({"draw", folder.file("part.obj", plate.obj()), "--projection", "isometric",
+                               "--dimensions", "auto", "--sheet", "A3", "-o", "x.svg"},
+                              folder / "");
+    EXPECT_EQ(run.code, 0) << run.err;
+    return dimensions_in(read_file(folder / "x.svg"));
+  };
+  const Hole bore{{ring(9), 20}, {ring(9), 15}, {ring(5), 15}, {ring(5), 6}, {ring(7), 6}, {ring(7), 0}},
+      boss{{ring(9), 20}, {ring(9), 31}};
+  for (const Hole& loops : {bore, boss}) {
+    const Words found = texts(loops);
+    for (const char* place : {"18", "15"}) EXPECT_EQ(std::count(found.begin(), found.end(), place), 1) << place;
+  }
 }
 
 // Nobody counts the corners of so many teeth.
