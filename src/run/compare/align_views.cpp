@@ -162,6 +162,11 @@ bool touch(const Difference& a, const Difference& b) {
 
 bool is_of_view(const Difference& d) { return !d.view.empty() && d.view != "sheet" && !d.is_view; }
 
+// A text of a view that the other drawing lacks: its dimension is told by it alone.
+bool is_other_size(const Difference& d) {
+  return d.is_text && is_of_view(d) && (d.change == Change::added || d.change == Change::removed);
+}
+
 /// Finds, of the differences of one view, those whose lines moved along one axis; of a round size, either way.
 class Followers {
  public:
@@ -322,7 +327,8 @@ std::vector<Difference> align_views(Picture& before, const Picture& after, doubl
 }
 
 std::size_t take_followers(std::vector<Difference>& differences, double tolerance) {
-  if (std::none_of(differences.begin(), differences.end(), is_size)) return 0;
+  const bool any_size = std::ranges::any_of(differences, is_size);
+  if (!any_size && std::ranges::none_of(differences, is_other_size)) return 0;
   std::map<std::string, std::vector<std::size_t>> by_view;
   for (std::size_t i = 0; i < differences.size(); ++i)
     if (is_of_view(differences[i])) by_view[differences[i].view].push_back(i);
@@ -332,7 +338,7 @@ std::size_t take_followers(std::vector<Difference>& differences, double toleranc
   constexpr std::size_t max_read = 5000;  // each is compared with each, and a view with more of them is another one
   for (const auto& [view, numbers] : by_view)
     for (const int axis : {0, 1}) {
-      if (numbers.size() > max_read) break;
+      if (!any_size || numbers.size() > max_read) break;
       std::vector<std::size_t> left;
       std::copy_if(numbers.begin(), numbers.end(), std::back_inserter(left),
                    [&](std::size_t i) { return !follows[i]; });

@@ -16,7 +16,8 @@ namespace epura::compare {
 std::vector<Difference> align_views(Picture& before, const Picture& after, double tolerance);
 
 /// If sizes changed, removes the differences that follow from them: of lines of one view whose ends moved along one
-/// axis only, by no more than most of the lines did, of dimension and centre lines, and of texts that only moved.
+/// axis only, by no more than most of the lines did, of dimension and centre lines, and of texts that only moved. If
+/// texts were added or removed, those of dimension and centre lines, and of texts that only moved.
 /// Returns how many there were.
 std::size_t take_followers(std::vector<Difference>& differences, double tolerance);
 

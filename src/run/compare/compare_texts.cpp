@@ -53,7 +53,7 @@ class TextPairs {
               Change::restyled);
     each_pair(
         [&](const PictureText& a, const PictureText& b) {
-          return pair_if(overlap(a, b), glm::distance(middle(a), middle(b)), HUGE_VAL);
+          return pair_if(overlap(a, b) && !changed_places(a, b), glm::distance(middle(a), middle(b)), HUGE_VAL);
         },
         Change::text);
     // In views whose sizes changed, texts move farther than they would by themselves.
@@ -76,6 +76,15 @@ class TextPairs {
   [[nodiscard]] bool is_same_view(const PictureText& a, const PictureText& b) const {
     const std::string& view = before_.views[static_cast<std::size_t>(a.view)];
     return !view.empty() && view != "sheet" && view == after_.views[static_cast<std::size_t>(b.view)];
+  }
+
+  // Whether each is in the other drawing, too: dimensions that are arranged anew change places.
+  [[nodiscard]] bool changed_places(const PictureText& a, const PictureText& b) const {
+    const auto has_words_of = [](const PictureText& text) {
+      return [&text](const PictureText& other) { return other.words == text.words; };
+    };
+    return is_same_view(a, b) && std::ranges::any_of(new_, has_words_of(a)) &&
+           std::ranges::any_of(old_, has_words_of(b));
   }
 
   // Whether both are values of one size, in one direction.

@@ -48,8 +48,10 @@ TEST(Compare, ReadsLinesAreasAndTextsOfPdf) {
   edited.layers[dimension].texts.clear();
   const compare::Comparison comparison = compare::compare(before, as_pdf({&edited, &edited}), 0.001);
   EXPECT_TRUE(comparison.compares_texts);
-  const std::string of_page = "removed removed removed removed removed moved";
-  EXPECT_EQ(changes(comparison), of_page + " " + of_page) << compare::format_comparison(comparison, 0.001);
+  const std::string of_page = "removed removed moved";  // text, hidden line, visible line
+  const std::string report = compare::format_comparison(comparison, 0.001);
+  EXPECT_EQ(changes(comparison), of_page + " " + of_page) << report;
+  EXPECT_TRUE(contains(report, "6 more follow from the changed sizes")) << report;  // lines and arrows of the texts
   EXPECT_EQ(comparison.differences.back().page, 2);
   EXPECT_EQ(changes(compare::compare(before, as_pdf({&one, &one}), 0.001)), "");
 }
@@ -245,6 +247,42 @@ TEST(Compare, TellsASizeAndCountsWhatFollows) {
   sheet::Sheet moved = wider_plate();
   move_view(moved, {-3, 0});
   EXPECT_EQ(changes(compare::compare(as_svg(plate()), as_svg(moved), 0.001)), "moved text");
+}
+
+// What stands at the size of an added hole, and at others that made room for it, is told by its text.
+TEST(Compare, TellsASizeThatWasAdded) {
+  sheet::Sheet edited = plate();
+  edited.layers[visible].strokes.push_back(circle({80, 65}, 4));
+  edited.layers[dimension].strokes.push_back(line({83, 68}, {88, 73}));
+  edited.layers[dimension].strokes.push_back(line({88, 73}, {94, 73}));
+  edited.layers[dimension].fills.push_back({{{{83, 68}, {85, 69}, {84, 70}}}});
+  edited.layers[dimension].texts.push_back({"⌀8", {88, 74}, 3.5});
+  edited.layers[dimension].texts[0].at.y -= 8;
+  edited.layers[dimension].strokes[0] = line({20, 22}, {100, 22});
+  const compare::Comparison comparison = compare::compare(as_svg(plate()), as_svg(edited), 0.001);
+  EXPECT_EQ(changes(comparison), "added added") << compare::format_comparison(comparison, 0.001);
+  EXPECT_GE(comparison.followers, 5U);
+}
+
+TEST(Compare, TellsNoSizesThatChangedPlaces) {
+  const auto with = [](const std::string& inner, const std::string& outer, const std::string& height) {
+    sheet::Sheet sheet = plate();
+    sheet::Text text = sheet.layers[dimension].texts[0];
+    sheet.layers[dimension].texts[0].text = inner;
+    for (const auto& [words, x] : {std::pair(outer, 60.0), std::pair(height, 130.0)}) {
+      text.text = words;
+      text.at = {x, 23};
+      sheet.layers[dimension].texts.push_back(text);
+    }
+    return sheet;
+  };
+  const auto words = [&](const sheet::Sheet& before, const sheet::Sheet& after) {
+    return compare::format_comparison(compare::compare(as_svg(before), as_svg(after), 0.001), 0.001);
+  };
+  const std::string swapped = words(with("19", "25", "8"), with("25", "19", "10"));
+  EXPECT_TRUE(contains(swapped, "'8' -> '10'") && contains(swapped, "1 difference ")) << swapped;
+  const std::string in_place = words(with("20", "30", "8"), with("30", "35", "8"));
+  EXPECT_TRUE(contains(in_place, "'20' -> '30'") && contains(in_place, "'30' -> '35'")) << in_place;
 }
 
 // Nothing that the size does not explain is among them.
