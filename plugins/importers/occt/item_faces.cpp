@@ -13,10 +13,14 @@
 #include <Precision.hxx>
 #include <StepData_StepModel.hxx>
 #include <StepGeom_Curve.hxx>
+#include <StepShape_BrepWithVoids.hxx>
+#include <StepShape_ClosedShell.hxx>
 #include <StepShape_Edge.hxx>
 #include <StepShape_EdgeLoop.hxx>
 #include <StepShape_FaceBound.hxx>
 #include <StepShape_FaceSurface.hxx>
+#include <StepShape_ManifoldSolidBrep.hxx>
+#include <StepShape_OrientedClosedShell.hxx>
 #include <StepShape_OrientedEdge.hxx>
 #include <StepShape_VertexPoint.hxx>
 #include <TColStd_ListIteratorOfListOfInteger.hxx>
@@ -52,6 +56,7 @@ struct Items {
   std::map<Number, TopoDS_Edge> lines;           ///< beside solids
   std::map<Number, std::array<gp_XYZ, 2>> ends;  ///< of edges, in the unit of the file
   std::map<Number, TopoDS_Edge> edges;           ///< of solids, as far as they are known
+  std::map<Number, std::vector<Number>> bodies;  ///< faces of each solid
 };
 
 void add_edges(const StepShape_FaceSurface& face, Number number, const StepData_StepModel& model, Items& items) {
@@ -60,6 +65,19 @@ void add_edges(const StepShape_FaceSurface& face, Number number, const StepData_
     for (int k = 1; !loop.IsNull() && k <= loop->NbEdgeList(); ++k)
       items.beside[static_cast<Number>(model.IdentLabel(loop->EdgeListValue(k)->EdgeElement()))].insert(number);
   }
+}
+
+// Of its outer shell and its cavities.
+std::vector<Number> faces_of(const StepShape_ManifoldSolidBrep& solid, const StepData_StepModel& model) {
+  std::vector<Number> faces;
+  const auto add_shell = [&](const Handle(StepShape_ConnectedFaceSet) & shell) {
+    for (int i = 1; !shell.IsNull() && i <= shell->NbCfsFaces(); ++i)
+      faces.push_back(static_cast<Number>(model.IdentLabel(shell->CfsFacesValue(i))));
+  };
+  add_shell(solid.Outer());
+  if (const auto* hollow = dynamic_cast<const StepShape_BrepWithVoids*>(&solid))
+    for (int i = 1; i <= hollow->NbVoids(); ++i) add_shell(hollow->VoidsValue(i)->ClosedShellElement());
+  return faces;
 }
 
 // A point has the axes of space.
@@ -88,6 +106,8 @@ Items items_of(const STEPControl_Reader& reader, const std::set<Number>& wanted)
       if (shape.IsNull()) continue;
       items.faces.emplace(number, shape);
       add_edges(*face, number, *model, items);
+    } else if (const auto solid = Handle(StepShape_ManifoldSolidBrep)::DownCast(entity); !solid.IsNull()) {
+      items.bodies.emplace(number, faces_of(*solid, *model));
     } else if (wanted.count(number) != 0) {
       if (const auto place = place_of(entity)) items.places.emplace(number, *place);
       if (const TopoDS_Shape edge = TransferBRep::ShapeResult(process, entity);
@@ -131,7 +151,7 @@ class FaceFinder {
     std::size_t lost = 0;
     const bool is_distance = add_apart(requirement), is_between_lines = add_lines(requirement);
     for (const Number item : requirement.items) {
-      if (is_distance) break;
+      if (is_distance || add_body(item, requirement)) continue;
       std::size_t before = requirement.faces.size();
       if (const auto face = items_.faces.find(item); face != items_.faces.end())
         requirement.faces.push_back(face->second);
@@ -160,6 +180,20 @@ class FaceFinder {
   static bool means_edge(const Requirement& requirement) {
     if (requirement.kind == EPURA_DIMENSION) return requirement.type.find("curve") != std::string::npos;
     return requirement.kind != EPURA_DATUM && !means_axis(requirement);
+  }
+
+  // What holds for a body holds all over it; for the only one, all over the part. Sizes and datums are of faces.
+  bool add_body(Number item, Requirement& requirement) const {
+    const auto body = items_.bodies.find(item);
+    const bool may_be = requirement.kind != EPURA_DIMENSION && requirement.kind != EPURA_DATUM;
+    if (body == items_.bodies.end() || !may_be) return false;
+    if (requirement.kind == EPURA_TOLERANCE)
+      requirement.modifiers += (requirement.modifiers.empty() ? "" : ", ") + std::string("all over");
+    if (items_.bodies.size() == 1) return true;
+    for (const Number face : body->second)
+      if (const auto known = items_.faces.find(face); known != items_.faces.end())
+        requirement.faces.push_back(known->second);
+    return true;
   }
 
   [[nodiscard]] std::set<Number> candidates(Number item) const {

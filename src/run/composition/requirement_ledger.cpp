@@ -51,10 +51,14 @@ std::string key_of(const FileRequirements& file, std::size_t i) {
   return std::to_string(file.model) + ":" + std::to_string(i);
 }
 
-bool is_of_all(const ModelRequirement& one) {
+bool is_all_over(const ModelRequirement& one) {
   const std::vector<std::string> modifiers = items_of(one.modifiers, ", ");
-  const bool may_be = one.kind == RequirementKind::note || one.kind == RequirementKind::surface_texture ||
-                      std::ranges::find(modifiers, "all over") != modifiers.end();
+  return std::ranges::find(modifiers, "all over") != modifiers.end();
+}
+
+bool is_of_all(const ModelRequirement& one) {
+  const bool may_be =
+      one.kind == RequirementKind::note || one.kind == RequirementKind::surface_texture || is_all_over(one);
   return may_be && one.faces.empty();
 }
 

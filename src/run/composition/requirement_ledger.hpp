@@ -27,10 +27,14 @@ struct FileRequirements {
   std::string standard{};                             ///< that the file names
   std::size_t by_scene = SIZE_MAX;                    ///< number of the first one of the scene, if there is one
   std::vector<report::RequirementRow> rows{};         ///< of each
+  double unit = 1;                                    ///< of the part, mm
 };
 
 /// By which dimensions and callouts know what they draw.
 std::string key_of(const FileRequirements& file, std::size_t i);
+
+/// Whether one holds for all surfaces: of its faces, or without faces of the part. ISO 1101.
+bool is_all_over(const importer::ModelRequirement& requirement);
 
 /// Whether one is about the whole part: a note, a surface texture or a tolerance all over without faces.
 bool is_of_all(const importer::ModelRequirement& requirement);

@@ -353,7 +353,7 @@ class Statement {
     const std::size_t count = face_places(faces, subject_.part).size();
     if (callout.dimension.given() || count == 1) return "";
     if (is_of_size(stack)) return of_size;
-    if (!frame.all_around) frame.above = sheet::times(count) + frame.above;
+    if (!frame.all_around && !is_all_over(file_.all[stack.front()])) frame.above = sheet::times(count) + frame.above;
     while (frame.above.ends_with(' ')) frame.above.pop_back();
     return "";
   }

@@ -125,13 +125,30 @@ TEST_F(PmiKinds, RequirementsOfEdgesAreAtTheirEdges) {
   EXPECT_EQ(says("0.03"), 1);
 }
 
-// A tolerance of a solid means no face of it.
-TEST_F(PmiKinds, ATolerancesOfABodyIsTold) {
-  const Outcome drawn = draw(step_box({40, 30, 20}, step_aspect(1000, 52) + step_length(1002, "0.05", "") +
-                                                        "#1003=SURFACE_PROFILE_TOLERANCE('','',#1002,#1000);\n"));
+// A tolerance of the only solid holds all over the part. A size of a solid means no face of it.
+TEST_F(PmiKinds, AToleranceOfABodyIsAllOverIt) {
+  constexpr int body = 52;
+  const Outcome drawn = draw(step_box({40, 30, 20}, step_aspect(1000, body) + step_length(1002, "0.05", "") +
+                                                        "#1003=SURFACE_PROFILE_TOLERANCE('','',#1002,#1000);\n" +
+                                                        size_of(1010, body, "diameter", "12.")));
   EXPECT_IMPORTER();
   EXPECT_EQ(drawn.code, 1);
-  EXPECT_EQ(row("#1003")["reason"].text, "not read: 1 item without a face");
+  EXPECT_EQ(row("#1003")["sheet"].text, "1");
+  EXPECT_EQ(says("all over"), 1);
+  EXPECT_EQ(row("#1012")["reason"].text, "not read: 1 item without a face");
+}
+
+// Of one of several solids, at a leader to it.
+TEST_F(PmiKinds, AToleranceOfOneBodyOfSeveralIsAtIt) {
+  constexpr int body = 52;
+  const Outcome drawn = draw(step_box({40, 30, 20}, step_aspect(1000, body) + step_length(1002, "0.05", "") +
+                                                        "#1003=SURFACE_PROFILE_TOLERANCE('','',#1002,#1000);\n"
+                                                        "#1004=MANIFOLD_SOLID_BREP('of another part',#53);\n"));
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_NE(row("#1003")["view"].type, 'n');
+  EXPECT_EQ(says("all over"), 1);
+  EXPECT_EQ(says("6× all over"), 0);
 }
 
 // As ISO 10303-1110 maps it, of an aspect or of the part (#10), with a parameter and its value; takes nine numbers.
