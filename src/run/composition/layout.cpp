@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -53,9 +54,9 @@ Vec2 common_point(const world::World& world, const view::ProjectedScene& view) {
   return Vec2(p) / p.w;
 }
 
-// Dimensions are outside the marks of sections and details.
+// Dimensions are outside the marks of sections and details. What is higher than any sheet has no place.
 sheet::Room room_around(const Annotations& annotations, const projection::Projection& projection,
-                        const sheet::LineWidths& widths) {
+                        const sheet::LineWidths& widths, double highest) {
   sheet::Room room = sheet::dimension_room(annotations.dimensions, projection, usual_text_height);
   Vec2 marks(0, 0);
   for (const cut::CuttingSurface& section : annotations.planes)
@@ -68,9 +69,10 @@ sheet::Room room_around(const Annotations& annotations, const projection::Projec
   room.after += marks;
   // Dimensions are rather below their view, so there is room above it.
   double callouts = 0;
-  for (const ViewCallout& callout : annotations.callouts)
-    if (!callout.description.at.given())
-      callouts = std::max(callouts, sheet::callout_room(height_of(callout.description, usual_text_height)));
+  for (const ViewCallout& callout : annotations.callouts) {
+    const double height = sheet::callout_room(height_of(callout.description, usual_text_height));
+    if (!callout.description.at.given() && height <= highest) callouts = std::max(callouts, height);
+  }
   room.after.y += callouts;
   return room;
 }
@@ -104,6 +106,7 @@ struct LayoutOptions {
   std::optional<sheet::TitleBlock> title_block;
   ProjectionAngle angle;
   sheet::LineWidths widths{};
+  double highest = HUGE_VAL;  ///< side of the largest paper, mm
   std::optional<sheet::PartsList> list{};
   std::optional<sheet::RevisionList> revisions{};
   SheetFit fit = SheetFit::model;
@@ -147,7 +150,7 @@ Views views_to_place(const world::World& world, const SheetOfViews& sheet, std::
     projection::Window box = whole_box(options, annotations[i], views[i], world);
     const Vec2 moved = breaks.moved(origin);
     sheet::ViewToPlace view{sheet::view_place(views[i].projection), {}};
-    const sheet::Room room = room_around(annotations[i], views[i].projection, layout.widths);
+    const sheet::Room room = room_around(annotations[i], views[i].projection, layout.widths, layout.highest);
     view.before = sheet.layout.room_share * room.before;
     view.after = sheet.layout.room_share * room.after;
     const bool in_epura = sheet.epura && (i == sheet.epura->elevation || i == sheet.epura->plan);
@@ -404,6 +407,8 @@ SheetPlan plan_sheet(const world::World& world, const scene::SceneDescription& s
   const scene::PaperChoice usual = usual_size(description, views.size());
   expect_paper_for_lists(scene, options, usual);
   options.widths = sheet::line_widths(sheet::make_paper(usual, false), options.styles);
+  const sheet::Paper most = sheet::make_paper(largest_size(description, views.size()), false);
+  if (most.width > 0) options.highest = std::max(most.width, most.height);
   const Views placing = views_to_place(world, sheet, views, annotations, options);
   const auto [arrangement, size, next_size] = arranged(description, options, placing.to_place, sheet.layout.min_size);
   if (options.title_block) {

@@ -11,7 +11,9 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "dimensions/surroundings.hpp"
 #include "drawing/drawing.hpp"
+#include "sheet/box_index.hpp"
 #include "sheet/fit_text.hpp"
 #include "sheet/line_styles.hpp"
 
@@ -159,7 +161,7 @@ bool has_inside(const TurnedBox& box) { return box.half.x > 0 && box.half.y > 0;
 class CalloutPlacer {
  public:
   CalloutPlacer(const drawing::ViewDrawing& view, const Neighbours& neighbours)
-      : view_(view), paper_(neighbours.paper), hatched_(hatched_boxes(view)) {
+      : view_(view), ink_(view), paper_(neighbours.paper), hatched_(hatched_boxes(view)) {
     for (const TurnedBox& box : neighbours.boxes) add(box);
   }
 
@@ -208,10 +210,9 @@ class CalloutPlacer {
     const Rectangle wide = box.grown(callout_clearance);
     if (paper_ && !paper_->holds(wide)) return false;
     const TurnedBox turned = turned_box(wide);
-    const auto is_met = [&turned](const TurnedBox& other) { return overlap(turned, other); };
-    return std::none_of(areas_.begin(), areas_.end(), is_met) && std::none_of(lines_.begin(), lines_.end(), is_met) &&
+    return areas_.overlaps(turned, 0) == 0 && line_index_.overlaps(turned, 0) == 0 &&
            std::none_of(hatched_.begin(), hatched_.end(), [&](const Rectangle& one) { return one.overlaps(wide); }) &&
-           ink_in(turned, view_) == 0;
+           ink_.in(turned) == 0;
   }
 
   void add(const Spot& spot) {
@@ -220,7 +221,11 @@ class CalloutPlacer {
   }
 
  private:
-  void add(const TurnedBox& box) { (has_inside(box) ? areas_ : lines_).push_back(box); }
+  void add(const TurnedBox& box) {
+    if (has_inside(box)) return areas_.add({&box, 1});
+    lines_.push_back(box);
+    line_index_.add({&box, 1});
+  }
 
   // Of what the leader crosses; infinite for lettering.
   [[nodiscard]] double cost_of(const Spot& spot) const {
@@ -238,21 +243,23 @@ class CalloutPlacer {
       TurnedBox wide = line;
       wide.half.y = leader_clearance;
       const auto is_near = [&wide](const TurnedBox& other) { return overlap(wide, other); };
-      if (std::any_of(areas_.begin(), areas_.end(), is_near)) return HUGE_VAL;
+      if (areas_.overlaps(wide, 0) > 0) return HUGE_VAL;
       const auto is_along = [&](const TurnedBox& other) {
         return is_met(other) || (is_near(other) && look_parallel(line, other));
       };
       cost += for_line * static_cast<double>(std::count_if(lines_.begin(), lines_.end(), is_along)) +
-              for_ink * ink_in(line, view_);
+              for_ink * ink_.in(line);
     }
     check(cost >= 0, "no place is better than a free one");
     return cost;
   }
 
   const drawing::ViewDrawing& view_;
+  InkIndex ink_;
   std::optional<Rectangle> paper_;
   std::vector<Rectangle> hatched_;
-  std::vector<TurnedBox> areas_, lines_;
+  BoxIndex areas_{}, line_index_{};
+  std::vector<TurnedBox> lines_{};  ///< again, to see what is parallel
 };
 
 // A triangle on a line, on the side of its leader. ISO 5459.

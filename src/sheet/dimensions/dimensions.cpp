@@ -121,20 +121,36 @@ std::vector<std::size_t> order_of(const std::vector<MeasuredDimension>& dimensio
   return order;
 }
 
+/// The dimensions of a view that it shows, and their numbers among all.
+struct ShownDimensions {
+  std::vector<MeasuredDimension> measured;
+  std::vector<std::size_t> numbers;
+  std::size_t found = 0;    ///< as in DimensionedView
+  std::size_t leaving = 0;  ///< how many, the first ones, may be left out: these, and what model files require
+
+  MeasuredDimension& add(std::size_t number, const DimensionedView& view, MeasuredDimension one) {
+    if (number < view.found) ++found;
+    if (number < view.found || !view.dimensions[number].requirement.empty()) ++leaving;
+    numbers.push_back(number);
+    return measured.emplace_back(std::move(one));
+  }
+};
+
 /// Places the dimensions of a view one after the other.
 class Placer {
  public:
-  Placer(const std::vector<MeasuredDimension>& dimensions, const drawing::ViewDrawing& drawing,
-         const DimensionStyle& style, const Neighbours& neighbours)
-      : dimensions_(dimensions),
+  Placer(const ShownDimensions& shown, const drawing::ViewDrawing& drawing, const DimensionStyle& style,
+         const Neighbours& neighbours)
+      : shown_(shown),
+        dimensions_(shown.measured),
         drawing_(drawing),
         style_(style),
         neighbours_(neighbours),
-        order_(order_of(dimensions)),
+        order_(order_of(dimensions_)),
         surroundings_(drawing, neighbours),
-        placed_(dimensions.size()),
-        is_lost_(dimensions.size(), false),
-        stays_(dimensions.size(), false) {}
+        placed_(dimensions_.size()),
+        is_lost_(dimensions_.size(), false),
+        stays_(dimensions_.size(), false) {}
 
   void place_all(const Progress& progress) {
     for (const std::size_t i : order_) {
@@ -142,16 +158,16 @@ class Placer {
       place(i);
       progress.advance(1);
     }
-    const auto has_place = [](const std::optional<PlacedDimension>& placed) { return placed.has_value(); };
-    check(progress.is_out_of_time() || std::all_of(placed_.begin(), placed_.end(), has_place),
+    const auto has_place = [this](std::size_t i) { return placed_[i].has_value() || is_dropped(i); };
+    check(progress.is_out_of_time() || std::all_of(order_.begin(), order_.end(), has_place),
           "every dimension has a place");
     place_crossed_anew(progress);
   }
 
-  /// Takes out some of the first dimensions until none of these has conflicts, and puts back those for which there is
-  /// room then. If some remain, less usual places are tried. Returns the numbers of those that are left out.
-  std::vector<std::size_t> leave_out(std::size_t count, const Progress& progress) {
-    count = std::min(count, placed_.size());
+  /// Takes out some of those that may be left out until none of these has conflicts, and puts back those for which
+  /// there is room then. If some remain, less usual places are tried. Returns the numbers of those that are left out.
+  std::vector<std::size_t> leave_out(const Progress& progress) {
+    const std::size_t count = shown_.leaving;
     check(!is_crowded_, "room is looked for once");
     is_searching_ = true;
     const PlacedDimensions all = placed_;
@@ -194,6 +210,8 @@ class Placer {
     for (std::size_t i = 0; i < count; ++i)
       if (placed_[i]) conflicts[i] = conflicts_of(i);
     std::vector<std::size_t> left_out;
+    for (std::size_t i = 0; i < count; ++i)
+      if (!placed_[i]) left_out.push_back(i);
     for (;;) {
       const std::size_t number = worst_of(conflicts);
       if (number == count || conflicts[number] == 0) break;
@@ -205,8 +223,10 @@ class Placer {
       left_out.push_back(number);
     }
     std::sort(left_out.begin(), left_out.end());
-    std::erase_if(left_out,
-                  [&](std::size_t i) { return !progress.is_out_of_time() && (finds_room(i) || makes_room(i, count)); });
+    const bool are_few = left_out.size() <= max_in_crowd;
+    std::erase_if(left_out, [&](std::size_t i) {
+      return !progress.is_out_of_time() && !is_dropped(i) && (finds_room(i) || (are_few && makes_room(i, count)));
+    });
     return left_out;
   }
   void place(std::size_t i) {
@@ -216,8 +236,9 @@ class Placer {
     BestPlacement best = best_of(known->second, surroundings_);
     is_lost_[i] = best.cost >= cost_in_crowd;
     if (is_crowded_ && best.cost >= cost_of_text) best = better_of(more_placements(i), surroundings_, best);
-    placed_[i] = *best.dimension;
+    if (!is_dropped(i)) placed_[i] = *best.dimension;
     if (!is_searching_ && !is_row(i)) usual_.erase(known);
+    if (!placed_[i]) return;
     std::visit([&](const auto& form) { check_ends(form, *placed_[i]); }, dimensions_[i].form);
     place_at_equal(i, best.cost);
     surroundings_.add(*placed_[i]);
@@ -248,6 +269,10 @@ class Placer {
     if (is_new) sort_by_cost(known->second);
     return known->second;
   }
+  // What a model file requires takes no place that makes others hard to read. There is less room later on.
+  [[nodiscard]] bool is_dropped(std::size_t i) const {
+    return is_lost_[i] && i >= shown_.found && i < shown_.leaving && !is_crowded_;
+  }
   [[nodiscard]] bool is_row(std::size_t i) const { return std::holds_alternative<MeasuredRow>(dimensions_[i].form); }
   void take(std::size_t i) {
     surroundings_.remove(*placed_[i]);
@@ -255,6 +280,7 @@ class Placer {
   }
   bool finds_room(std::size_t i) {
     place(i);
+    if (!placed_[i]) return false;
     if (conflicts_of(i) == 0) return true;
     take(i);
     return false;
@@ -272,7 +298,7 @@ class Placer {
     const PlacedDimensions before = placed_;
     place(number);
     std::vector<std::size_t> moved;
-    bool all_move = faults_of(*placed_[number], drawing_, neighbours_) == 0;
+    bool all_move = placed_[number] && faults_of(*placed_[number], drawing_, neighbours_) == 0;
     for (std::size_t i = 0; i < placed_.size() && all_move; ++i) {
       if (i == number || !placed_[i] || !do_cross(*placed_[number], *placed_[i])) continue;
       all_move = i < count && !is_row(i) && !stays_[i];
@@ -328,6 +354,7 @@ class Placer {
     return count;
   }
 
+  const ShownDimensions& shown_;
   const std::vector<MeasuredDimension>& dimensions_;
   const drawing::ViewDrawing& drawing_;
   const DimensionStyle& style_;
@@ -394,19 +421,6 @@ DimensionText text_of(const MeasuredRow& row) {
   return all;
 }
 
-/// The dimensions of a view that it shows, and their numbers among all.
-struct ShownDimensions {
-  std::vector<MeasuredDimension> measured;
-  std::vector<std::size_t> numbers;
-  std::size_t found = 0;  ///< as in DimensionedView
-
-  MeasuredDimension& add(std::size_t number, std::size_t found_of_all, MeasuredDimension one) {
-    if (number < found_of_all) ++found;
-    numbers.push_back(number);
-    return measured.emplace_back(std::move(one));
-  }
-};
-
 // The circles of equal features that a whole view shows.
 std::vector<MeasuredCircle> shown_circles(std::span<const scene::FeatureCircle> equal, AnchoredDimension dimension,
                                           const drawing::ViewDrawing& drawing, const Notation& notation) {
@@ -424,42 +438,92 @@ std::vector<MeasuredCircle> shown_circles(std::span<const scene::FeatureCircle> 
   return shown;
 }
 
-// Those that were found in faces of the part, which the view may not show, are left out with a word in `placed`.
-ShownDimensions measure_shown(const DimensionedView& view, const DimensionStyle& style, PlacedLayer& placed,
-                              const Progress& progress) {
-  Notation notation = style.notation;
-  notation.diameter = diameter_sign(style.lettering);
-  notation.arc = arc_sign(style.lettering);
-  ShownDimensions shown;
-  std::size_t number = 0;
-  for (const AnchoredDimension& dimension : find_anchors(view.world, view.dimensions, progress)) {
-    const std::size_t i = number++;
-    MeasuredDimension measured = measure(view.drawing, dimension, notation);
+/// Whether texts of dimensions, one after the other, are no larger than the paper is.
+class PaperForTexts {
+ public:
+  PaperForTexts(const std::optional<Rectangle>& paper, const DimensionStyle& style)
+      : style_(style), left_(paper ? paper->size().x * paper->size().y : HUGE_VAL) {}
+
+  bool takes(const DimensionText& text) {
+    left_ -= style_.width(text) * style_.height(text);
+    return left_ > 0;
+  }
+
+ private:
+  const DimensionStyle& style_;
+  double left_;  // mm²
+};
+
+/// What is measured in a view, and with a word in `placed`, what is not.
+class Measuring {
+ public:
+  Measuring(const DimensionedView& view, const DimensionStyle& style, PlacedLayer& placed)
+      : view_(view), style_(style), placed_(placed), notation_(style.notation) {
+    notation_.diameter = diameter_sign(style.lettering);
+    notation_.arc = arc_sign(style.lettering);
+  }
+
+  // Those that were found in faces of the part, which the view may not show, come first; then those of model files,
+  // each of which has a place on its own, but all together are no more than the paper holds.
+  ShownDimensions all(const std::optional<Rectangle>& paper, const Progress& progress) {
+    const std::vector<AnchoredDimension> anchored = find_anchors(view_.world, view_.dimensions, progress);
+    PaperForTexts room(paper, style_);
+    const std::size_t found = std::min(view_.found, anchored.size());  // fewer are anchored when time is out
+    for (std::size_t i = 0; i < found; ++i) add_found(i, anchored[i]);
+    for (const bool is_required : {true, false})
+      for (std::size_t i = found; i < anchored.size(); ++i) {
+        if (view_.dimensions[i].requirement.empty() == is_required) continue;
+        MeasuredDimension measured = measured_as(anchored[i]);
+        if (!is_required || room.takes(measured.text)) {
+          shown_.add(i, view_, std::move(measured));
+          continue;
+        }
+        placed_.left_out.push_back(i);
+        placed_.texts_left_out.push_back(measured.text.line());
+      }
+    check(shown_.measured.size() + placed_.unseen.size() + placed_.left_out.size() >= anchored.size(),
+          "a dimension is shown or not");
+    return std::move(shown_);
+  }
+
+ private:
+  [[nodiscard]] MeasuredDimension measured_as(const AnchoredDimension& dimension) const {
+    MeasuredDimension measured = measure(view_.drawing, dimension, notation_);
     measured.name = dimension.name;
-    expect_letters(measured.text.line(), dimension, style.lettering);
+    expect_letters(measured.text.line(), dimension, style_.lettering);
+    return measured;
+  }
+
+  void add_found(std::size_t i, const AnchoredDimension& dimension) {
+    check(i < view_.found, "what the view does not show was found, not asked for");
+    MeasuredDimension measured = measured_as(dimension);
     const bool is_round = dimension.type == DimensionType::diameter || dimension.type == DimensionType::radius;
-    const bool is_seen = !is_round || view.lacks_lines || shows_circle(view.drawing, measured);
-    if (i < view.equal.size()) measured.equal = shown_circles(view.equal[i], dimension, view.drawing, notation);
-    if (i < view.found && !is_seen && !measured.equal.empty()) {
+    const bool is_seen = !is_round || view_.lacks_lines || shows_circle(view_.drawing, measured);
+    if (i < view_.equal.size()) measured.equal = shown_circles(view_.equal[i], dimension, view_.drawing, notation_);
+    if (!is_seen && !measured.equal.empty()) {
       measured.form = measured.equal.front();
-    } else if (i < view.found && !is_seen) {
-      placed.unseen.push_back(i);
-      placed.texts_unseen.push_back(measured.text.line());
-      continue;
+    } else if (!is_seen) {
+      placed_.unseen.push_back(i);
+      placed_.texts_unseen.push_back(measured.text.line());
+      return;
     }
     const auto* row = std::get_if<MeasuredRow>(&measured.form);
-    const bool may_part = i < view.found && row != nullptr && !measured.offset;
-    for (const MeasuredRow& part : may_part ? on_two_sides(*row, style) : std::vector<MeasuredRow>()) {
-      MeasuredDimension& one = shown.add(i, view.found, measured);
+    const bool may_part = row != nullptr && !measured.offset;
+    for (const MeasuredRow& part : may_part ? on_two_sides(*row, style_) : std::vector<MeasuredRow>()) {
+      MeasuredDimension& one = shown_.add(i, view_, measured);
       one.form = part;
       one.text = text_of(part);
-      if (is_crowded(part, style)) ++placed.fans;
+      if (is_crowded(part, style_)) ++placed_.fans;
     }
-    if (!may_part) shown.add(i, view.found, std::move(measured));
+    if (!may_part) shown_.add(i, view_, std::move(measured));
   }
-  check(shown.measured.size() + placed.unseen.size() >= number, "a dimension is shown or not");
-  return shown;
-}
+
+  const DimensionedView& view_;
+  const DimensionStyle& style_;
+  PlacedLayer& placed_;
+  Notation notation_;
+  ShownDimensions shown_{};
+};
 
 }  // namespace
 
@@ -467,11 +531,12 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
                              const Progress& progress) {
   progress.begin("placing dimensions", view.dimensions.size());
   PlacedLayer result{empty_layer(view.drawing.name, scene::SheetLine::dimension, {2 * style.line, style.line})};
-  const ShownDimensions shown = measure_shown(view, style, result, progress.with_part_of_the_time(0.5));
-  Placer placer(shown.measured, view.drawing, style, neighbours);
+  const ShownDimensions shown =
+      Measuring(view, style, result).all(neighbours.paper, progress.with_part_of_the_time(0.5));
+  Placer placer(shown, view.drawing, style, neighbours);
   placer.place_all(progress);
   std::vector<std::size_t> left_out;
-  if (!progress.is_out_of_time()) left_out = placer.leave_out(shown.found, progress);
+  if (!progress.is_out_of_time()) left_out = placer.leave_out(progress);
   PlacedDimensions placed = placer.result();
   std::vector<std::string> texts;
   for (const MeasuredDimension& one : shown.measured) texts.push_back(one.text.line());
@@ -479,6 +544,7 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
   draw_once(placed);
   interrupt_at(neighbours.letters, placed);
   std::set<std::size_t> done(result.unseen.begin(), result.unseen.end());
+  done.insert(result.left_out.begin(), result.left_out.end());
   for (std::size_t i = 0; i < placed.size(); ++i) {
     auto& dimension = placed[i];
     if (!dimension) continue;

@@ -125,6 +125,7 @@ struct FontFile::Open {
   ShapingFont shaping{};  // opened on first use
   std::mutex reading{};
   std::unordered_map<unsigned, Glyph> glyphs{};
+  std::unordered_map<char32_t, unsigned> indices{};  // of characters that were asked for
 };
 
 FontFile::FontFile(std::filesystem::path path, int number, std::string family)
@@ -142,7 +143,9 @@ bool FontFile::is_open() const { return open_->face != nullptr && FT_IS_SCALABLE
 
 unsigned FontFile::index_of(char32_t character) const {
   const std::lock_guard lock(open_->reading);
-  return FT_Get_Char_Index(open_->face, character);
+  const auto [known, is_new] = open_->indices.try_emplace(character, 0);
+  if (is_new) known->second = FT_Get_Char_Index(open_->face, character);
+  return known->second;
 }
 
 bool FontFile::has(char32_t character) const { return index_of(character) != 0; }

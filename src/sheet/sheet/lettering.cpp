@@ -124,14 +124,25 @@ std::vector<GlyphRun> Lettering::runs(std::string_view text, double height) cons
   return runs;
 }
 
-double Lettering::width(std::string_view text, double height) const {
+namespace {
+
+// In font units, of what the font has; nothing if it lacks a character. Places of texts are found by trying many.
+std::optional<double> own_width(const FontFile& font, std::string_view text) {
   double units = 0;
-  if (covers(text)) {
-    for (const char32_t character : characters(written(text)))
-      units += font_->glyph(font_->index_of(character)).advance;
-    check(units >= 0, "a line of letters has a width");
-    return units * (height / font_->capital());
+  for (const char32_t character : characters(text)) {
+    if (is_invisible(character)) continue;
+    const unsigned glyph = font.index_of(is_control(character) ? U' ' : character);
+    if (glyph == 0) return std::nullopt;
+    units += font.glyph(glyph).advance;
   }
+  check(units >= 0, "a line of letters has a width");
+  return units;
+}
+
+}  // namespace
+
+double Lettering::width(std::string_view text, double height) const {
+  if (const auto units = own_width(*font_, text)) return *units * (height / font_->capital());
   double width = 0;
   for (const GlyphRun& run : runs(text, height)) width += run.width;
   return width;

@@ -23,11 +23,6 @@ double stacked_height(const DimensionStyle& style) {
   return std::max(std::min(style.text, min_letters), style.text / std::numbers::sqrt2);
 }
 
-// Width of the text up to its decimal sign or unit.
-double whole_width(const std::string& number, const DimensionStyle& style) {
-  return style.lettering.width(number.substr(0, number.find_first_of(".,\xC2")), stacked_height(style));
-}
-
 // All around, the first one again at the end.
 std::vector<Vec2> directions(int count) {
   std::vector<Vec2> all;
@@ -35,22 +30,32 @@ std::vector<Vec2> directions(int count) {
   return all;
 }
 
-double width_of(const TextPiece& piece, const DimensionStyle& style) {
-  if (!piece.is_stack()) return style.lettering.width(piece.upper, style.text);
-  double whole = 0, rest = 0;
-  for (const std::string* number : {&piece.upper, &piece.lower}) {
-    const double left = whole_width(*number, style);
-    whole = std::max(whole, left);
-    rest = std::max(rest, style.lettering.width(*number, stacked_height(style)) - left);
-  }
-  return whole + rest;
+/// Widths of a number above another one, mm: up to their decimal signs or units, and of both together. Otherwise the
+/// width of the piece.
+struct PieceWidth {
+  double upper = 0, lower = 0, all = 0;
+
+  [[nodiscard]] double whole() const { return std::max(upper, lower); }
+};
+
+PieceWidth width_of(const TextPiece& piece, const DimensionStyle& style) {
+  if (!piece.is_stack()) return {0, 0, style.lettering.width(piece.upper, style.text)};
+  const double small = stacked_height(style);
+  const auto width_before_sign = [&](const std::string& number) {
+    return style.lettering.width(number.substr(0, number.find_first_of(".,\xC2")), small);
+  };
+  PieceWidth width{width_before_sign(piece.upper), width_before_sign(piece.lower)};
+  const double rest = std::max(style.lettering.width(piece.upper, small) - width.upper,
+                               style.lettering.width(piece.lower, small) - width.lower);
+  width.all = width.whole() + std::max(0.0, rest);
+  return width;
 }
 
 }  // namespace
 
 double DimensionStyle::width(const DimensionText& written) const {
   double width = 0;
-  for (const TextPiece& piece : written.pieces) width += width_of(piece, *this);
+  for (const TextPiece& piece : written.pieces) width += width_of(piece, *this).all;
   return width;
 }
 
@@ -107,29 +112,29 @@ void add_crossable_line(PlacedDimension& dimension, const Vec2& from, const Vec2
 
 namespace {
 
-// From left to right; all have the base line of the lower number, and other pieces are at half the height of stacks.
-void add_pieces(PlacedDimension& dimension, const DimensionText& text, const TextPosition& at, double degrees,
+double degrees_of(const TextPosition& at) { return portable_atan2(at.read.y, at.read.x) * 180 / std::numbers::pi; }
+
+// From left to right, the first one at a place; all have the base line of the lower number, and other pieces are at
+// half the height of stacks.
+void add_pieces(PlacedDimension& dimension, const DimensionText& text, Vec2 left, const TextPosition& at,
                 const DimensionStyle& style) {
   const Vec2 up = left_of(at.read);
-  Vec2 left = at.middle + at.rise * up - style.width(text) / 2 * at.read;
+  const double degrees = degrees_of(at);
   const auto add = [&](const std::string& words, const Vec2& place, double height) {
     dimension.texts.push_back({words, place, height, degrees, Align::left, "dimension"});
   };
   const double small = stacked_height(style);
-  double written = 0;
   for (const TextPiece& piece : text.pieces) {
+    const PieceWidth width = width_of(piece, style);
+    check(width.all >= width.whole(), "a number is as wide as what is before its decimal sign, or wider");
     if (piece.is_stack()) {
-      const double upper = whole_width(piece.upper, style), lower = whole_width(piece.lower, style);
-      const double whole = std::max(upper, lower);
-      add(piece.upper, left + (whole - upper) * at.read + (1 + between_stacked) * small * up, small);
-      add(piece.lower, left + (whole - lower) * at.read, small);
+      add(piece.upper, left + (width.whole() - width.upper) * at.read + (1 + between_stacked) * small * up, small);
+      add(piece.lower, left + (width.whole() - width.lower) * at.read, small);
     } else {
       add(piece.upper, left + (style.height(text) - style.text) / 2 * up, style.text);
     }
-    left += width_of(piece, style) * at.read;
-    written += width_of(piece, style);
+    left += width.all * at.read;
   }
-  check(std::abs(written - style.width(text)) <= 1e-9 * (1 + written), "a text is as wide as its pieces");
 }
 
 // Around a text of this size.
@@ -142,33 +147,39 @@ void add_frame(PlacedDimension& dimension, const TextPosition& at, const Vec2& s
     corners.push_back(middle + corner.x * half.x * at.read + corner.y * half.y * up);
 }
 
+// A text of this width, mm: dimensions have hundreds of places, and letters are slow to measure.
+void set_measured_text(PlacedDimension& dimension, const DimensionText& text, double width, const TextPosition& at,
+                       const DimensionStyle& style) {
+  const Vec2 up = left_of(at.read);
+  if (text.has_stack())
+    add_pieces(dimension, text, at.middle + at.rise * up - width / 2 * at.read, at, style);
+  else
+    dimension.texts.push_back(
+        {text.line(), at.middle + at.rise * up, style.text, degrees_of(at), Align::middle, "dimension"});
+  const double height = style.height(text);
+  if (text.framed) add_frame(dimension, at, {width, height}, style);
+  dimension.text_boxes.push_back({at.middle + (at.rise + height / 2) * up,
+                                  at.read,
+                                  {width / 2 + air * style.text, height / 2 + air * style.text}});
+  check(dimension.text_boxes.back().half.x > 0 && dimension.text_boxes.back().half.y > 0, "a text has a size");
+}
+
 }  // namespace
 
 void set_text(PlacedDimension& dimension, const DimensionText& text, const TextPosition& at,
               const DimensionStyle& style) {
-  const double degrees = portable_atan2(at.read.y, at.read.x) * 180 / std::numbers::pi;
-  if (text.has_stack())
-    add_pieces(dimension, text, at, degrees, style);
-  else
-    dimension.texts.push_back(
-        {text.line(), at.middle + at.rise * left_of(at.read), style.text, degrees, Align::middle, "dimension"});
-  const double height = style.height(text);
-  if (text.framed) add_frame(dimension, at, {style.width(text), height}, style);
-  dimension.text_boxes.push_back({at.middle + (at.rise + height / 2) * left_of(at.read),
-                                  at.read,
-                                  {style.width(text) / 2 + air * style.text, height / 2 + air * style.text}});
-  check(dimension.text_boxes.back().half.x > 0 && dimension.text_boxes.back().half.y > 0, "a text has a size");
+  set_measured_text(dimension, text, style.width(text), at, style);
 }
 
 void add_leader(PlacedDimension& dimension, const DimensionText& text, const ShoulderedLeader& leader,
                 const DimensionStyle& style) {
   const auto& [tip, elbow, to_left] = leader;
-  const double width = style.width(text) + 2 * style.above();
+  const double letters = style.width(text), width = letters + 2 * style.above();
   const Vec2 shoulder = elbow + Vec2(to_left ? -width : width, 0);
   dimension.strokes.emplace_back().points = {tip, elbow, shoulder};
   dimension.lines.push_back(line_box(tip, elbow));
   dimension.leaders.push_back({tip, elbow});
-  set_text(dimension, text, {(elbow + shoulder) * 0.5, {1, 0}, style.above()}, style);
+  set_measured_text(dimension, text, letters, {(elbow + shoulder) * 0.5, {1, 0}, style.above()}, style);
   // The box includes the shoulder, which no line should meet or run along.
   TurnedBox& box = dimension.text_boxes.back();
   const double below = style.above() + std::max(0.0, style.gap() / 2 - air * style.text);

@@ -273,6 +273,46 @@ TEST_F(Pmi, ASheetWithoutRoomLosesNothingInSilence) {
   EXPECT_EQ(shown + told, 12) << drawn.err;
 }
 
+// Lengths that differ by their deviations alone: those that are drawn are on the paper, all others are told.
+TEST_F(Pmi, DimensionsWithoutRoomAreTold) {
+  constexpr int count = 60;
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    const int number = 2000 + 20 * i;
+    text += step_aspect(number, bottom_face) + step_aspect(number + 2, top_face) + "#" + std::to_string(number + 4) +
+            "=DIMENSIONAL_LOCATION('linear distance','',#" + std::to_string(number) + ",#" +
+            std::to_string(number + 2) + ");\n" + size(number + 5, number + 4, "20.", "2.2") +
+            deviations(number + 9, number + 4, "-0.1", "0." + std::to_string(100 + i));
+  }
+  const Outcome drawn = draw_box(text, {"--pmi", "all", "--sheet", "180x140", "--scale", "1:1"});
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 1) << drawn.err;
+  EXPECT_FALSE(contains(drawn.err, "extend beyond the sheet")) << drawn.err;
+  int shown = 0;
+  for (const Json& one : ledger().items) {
+    shown += one["view"].type != 'n' ? 1 : 0;
+    EXPECT_EQ(one["view"].type == 'n', one["reason"].type != 'n') << one["id"].text;
+  }
+  EXPECT_GT(shown, 0);
+  EXPECT_EQ(says("20.00 ") + says("20.00"), shown);
+  EXPECT_TRUE(contains(drawn.err, std::to_string(count - shown) + " of the 60 requirements")) << drawn.err;
+}
+
+// A frame that is higher than the sheet has no place, and takes none from the views.
+TEST_F(Pmi, AFrameHigherThanTheSheetIsTold) {
+  std::string text = step_aspect(1000, top_face);
+  for (int i = 0; i < 200; ++i)
+    text += step_length(2000 + 2 * i, "0." + std::to_string(100 + i), "") + "#" + std::to_string(2001 + 2 * i) +
+            "=FLATNESS_TOLERANCE('','',#" + std::to_string(2000 + 2 * i) + ",#1000);\n";
+  const Outcome drawn = draw_box(text + height);
+  EXPECT_IMPORTER();
+  EXPECT_EQ(drawn.code, 1) << drawn.err;
+  EXPECT_FALSE(contains(drawn.err, "larger than the sheet")) << drawn.err;
+  EXPECT_TRUE(contains(drawn.err, "200 of the 201 requirements of the models are not drawn:")) << drawn.err;
+  EXPECT_EQ(row("#2001")["reason"].text, "there is no place for it in the view");
+  EXPECT_EQ(row("#1004")["view"].text, "front");
+}
+
 // What is read in part would be drawn wrong: a size without its deviations, a hole that is one of several.
 TEST_F(Pmi, WhatIsNotReadWholeIsToldAndNotDrawn) {
   const std::string lost = step_aspect(1000, bottom_face) + step_aspect(1002, top_face) +
