@@ -70,6 +70,7 @@ importer() {  # folder name file
 }
 
 importer "$samples/importer-boxes" boxes "$samples/importer-boxes/table.boxes"
+[ "$(wc -l < "$samples/importer-requirements/plates.cpp")" -le 60 ] || complain "plates: the sample has more than 60 lines"
 importer "$samples/importer-requirements" plates "$samples/importer-requirements/base.plate"
 importer "$samples/importer-c" terrain "$samples/importer-c/hill.terrain"
 try cmake --install "$scratch/boxes-gcc" --prefix "$scratch/prefix" &&

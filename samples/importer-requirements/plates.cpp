@@ -21,23 +21,17 @@ struct Plates {
     for (int i = 0; i < 8; ++i)
       points.push_back({width * double(i & 1), depth * double(i >> 1 & 1), thickness * double(i >> 2)});
     sink.points(points);
-    face(sink, {0, 0, 0}, {0, 0, -1}, {0, 2, 3, 1});         // face 0: below
-    face(sink, {0, 0, thickness}, {0, 0, 1}, {4, 5, 7, 6});  // face 1: above
-    face(sink, {0, 0, 0}, {0, -1, 0}, {0, 1, 5, 4});
-    face(sink, {0, depth, 0}, {0, 1, 0}, {2, 6, 7, 3});
-    face(sink, {0, 0, 0}, {-1, 0, 0}, {0, 4, 6, 2});
-    face(sink, {width, 0, 0}, {1, 0, 0}, {1, 3, 7, 5});
+    add_plane(sink, {0, 0, 0}, {0, 0, -1}, {0, 2, 3, 1});         // face 0: below
+    add_plane(sink, {0, 0, thickness}, {0, 0, 1}, {4, 5, 7, 6});  // face 1: above
+    add_plane(sink, {0, 0, 0}, {0, -1, 0}, {0, 1, 5, 4});
+    add_plane(sink, {0, depth, 0}, {0, 1, 0}, {2, 6, 7, 3});
+    add_plane(sink, {0, 0, 0}, {-1, 0, 0}, {0, 4, 6, 2});
+    add_plane(sink, {width, 0, 0}, {1, 0, 0}, {1, 3, 7, 5});
     require(sink, thickness, deviation, flatness);
   }
 
-  static void face(Sink& sink, Point origin, Point normal, const std::array<std::uint32_t, 4>& corners) {
-    sink.face({.size = 0,
-               .kind = EPURA_PLANE,
-               .origin = {origin[0], origin[1], origin[2]},
-               .axis = {normal[0], normal[1], normal[2]},
-               .radius = 0,
-               .minor = 0,
-               .slope = 0});
+  static void add_plane(Sink& sink, Point origin, Point normal, const std::array<std::uint32_t, 4>& corners) {
+    sink.face({0, EPURA_PLANE, {origin[0], origin[1], origin[2]}, {normal[0], normal[1], normal[2]}, 0, 0, 0});
     sink.polygons(std::vector<std::uint64_t>{4}, corners);
   }
 
