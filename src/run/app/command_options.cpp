@@ -49,9 +49,11 @@ scene::Options<InfoOptions> info_options() {
 scene::Options<RequirementsOptions> requirements_options() {
   using Ledger = RequirementsOptions;
   return {
-      scene::option<Ledger>(
-          {.flag = "models", .help = "model files, as of 'epura draw'", .required = true, .repeatable = true},
-          &Ledger::models, file_name("MODEL...")),
+      scene::option<Ledger>({.flag = "models",
+                             .help = "model files, as of 'epura draw', or scene files (toml)",
+                             .required = true,
+                             .repeatable = true},
+                            &Ledger::models, file_name("MODEL...")),
       plugin_path_option<Ledger>(&Ledger::plugin_path),
       scene::option<Ledger>(
           {.flag = "--drawing",

@@ -16,10 +16,6 @@ namespace epura {
 
 namespace {
 
-bool is_scene_file(const std::string& path) {
-  return to_lower(std::filesystem::path(path).extension().string()) == ".toml";
-}
-
 // The n-th transform applies to the n-th model; a single one to all models.
 std::vector<scene::ModelDescription> models_of(const DrawOptions& options) {
   const std::size_t transforms = options.transforms.size();
@@ -100,6 +96,10 @@ void add_dimensions(scene::SceneDescription& scene, const DrawOptions& options) 
 }
 
 }  // namespace
+
+bool is_scene_file(const std::string& path) {
+  return to_lower(std::filesystem::path(path).extension().string()) == ".toml";
+}
 
 scene::SceneDescription describe(const DrawOptions& options) {
   scene::SceneDescription scene;

@@ -10,6 +10,9 @@
 
 namespace epura {
 
+/// Whether a file is a scene by its name.
+bool is_scene_file(const std::string& path);
+
 /// Options override the scene file. Every description has models, views and sheets. Throws Error{input} for a scene
 /// file together with models, and for options that conflict with a scene file.
 scene::SceneDescription describe(const DrawOptions& options);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// `epura requirements`: the ledger of what model files require of their parts.
+// `epura requirements`: the ledger of what model files and scenes require of their parts.
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/commands.hpp"
+#include "app/describe.hpp"
 #include "app/ledger.hpp"
 #include "base/csv.hpp"
 #include "base/error.hpp"
@@ -23,6 +24,7 @@
 #include "composition/requirement_words.hpp"
 #include "importer/read_model.hpp"
 #include "output/json_text.hpp"
+#include "pipeline/find_features.hpp"
 #include "pipeline/targets.hpp"
 #include "report/report.hpp"
 
@@ -57,15 +59,40 @@ void find_shown(Ledger& ledger, ShownRequirements& shown) {
   }
 }
 
+std::vector<LedgerRow> numbered_rows(std::vector<ModelRequirement> all) {
+  const std::vector<int> characteristics = pipeline::characteristic_numbers(all);
+  std::vector<LedgerRow> rows;
+  for (std::size_t i = 0; i < all.size(); ++i) rows.push_back({std::move(all[i]), characteristics[i]});
+  return rows;
+}
+
 Ledger ledger_of(const std::string& model, const RequirementsOptions& options) {
   const importer::ModelRequest request = importer::parse_model_request(model);
   importer::ReadModel read =
       importer::read_model(request.path, request.parameters, {.plugin_path = options.plugin_path});
-  std::vector<ModelRequirement>& all = read.requirements;
-  const std::vector<int> characteristics = pipeline::characteristic_numbers(all);
-  Ledger ledger{request.path, importer::counted_requirements(all), {}, read.part, read.unit.value_or(1), read.standard};
-  for (std::size_t i = 0; i < all.size(); ++i) ledger.requirements.push_back({std::move(all[i]), characteristics[i]});
-  return ledger;
+  std::string counts = importer::counted_requirements(read.requirements);
+  return {request.path, std::move(counts),     numbered_rows(std::move(read.requirements)),
+          read.part,    read.unit.value_or(1), read.standard};
+}
+
+// Of each model of a scene that has any; of a scene without, one of the scene.
+std::vector<Ledger> ledgers_of_scene(const std::string& file, const RequirementsOptions& options) {
+  DrawOptions draw;
+  draw.models = {file};
+  draw.run.plugin_path = options.plugin_path;
+  const scene::SceneDescription scene = describe(draw);
+  std::vector<Ledger> ledgers;
+  for (pipeline::FileRequirements& one : pipeline::requirements_of_scene(scene, draw.run, pipeline::silent_messages()))
+    if (std::string counts = importer::counted_requirements(one.all); !counts.empty())
+      ledgers.push_back({*scene.models[static_cast<std::size_t>(one.model)].file, std::move(counts),
+                         numbered_rows(std::move(one.all)), one.part, one.unit, one.standard});
+  if (ledgers.empty()) ledgers.push_back({file, "", {}});
+  return ledgers;
+}
+
+std::vector<Ledger> ledgers_of(const std::string& file, const RequirementsOptions& options) {
+  if (is_scene_file(file)) return ledgers_of_scene(file, options);
+  return {ledger_of(file, options)};
 }
 
 std::string faces_text(const std::vector<int>& faces) {
@@ -284,10 +311,11 @@ int requirements(const RequirementsOptions& options) {
   if (!files.empty()) pipeline::refuse_overwriting(files, read);
   ShownRequirements shown = shown_in(options.drawings);
   std::vector<Ledger> ledgers;
-  for (const std::string& model : options.models) {
-    ledgers.push_back(ledger_of(model, options));
-    if (!options.drawings.empty()) find_shown(ledgers.back(), shown);
-  }
+  for (const std::string& model : options.models)
+    for (Ledger& ledger : ledgers_of(model, options)) {
+      if (!options.drawings.empty()) find_shown(ledger, shown);
+      ledgers.push_back(std::move(ledger));
+    }
   for (const LedgerFormat& format : ledger_formats())
     if (const std::string& file = options.*format.file; !file.empty())
       pipeline::write({file, format.text(ledgers)}, {});

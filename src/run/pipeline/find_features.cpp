@@ -18,6 +18,8 @@
 #include "composition/stated_dimensions.hpp"
 #include "features/place_threads.hpp"
 #include "features/tolerances.hpp"
+#include "pipeline/read_models.hpp"
+#include "pipeline/recognise_parts.hpp"
 #include "scene/body_styles.hpp"
 #include "scene/details.hpp"
 #include "scene/scene_values.hpp"
@@ -278,6 +280,17 @@ void state_by_features(std::vector<FileRequirements>& required, const scene::Sce
     file->all.push_back(std::move(one));
   }
   for (FileRequirements& file : required) begin_ledger(file, scene);
+}
+
+std::vector<FileRequirements> requirements_of_scene(const scene::SceneDescription& scene, const RunOptions& options,
+                                                    const Messages& messages) {
+  report::Report report;
+  ReadWorld read = read_models(scene, reading_of(scene, options), report.meshes, messages, {});
+  recognise_parts(read.world, scene, options, report, {});
+  if (!scene.requirements.empty()) state_by_features(read.required, scene, read.world);
+  for (FileRequirements& file : read.required)
+    file.unit = glm::length(Vec3(read.world.models[static_cast<std::size_t>(file.model)].to_world[0]));
+  return std::move(read.required);
 }
 
 std::vector<AcceptedFaces> accepted_faces(const scene::SceneDescription& scene, const world::World& world) {

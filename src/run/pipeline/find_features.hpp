@@ -7,6 +7,8 @@
 #include "composition/lint.hpp"
 #include "composition/requirement_ledger.hpp"
 #include "scene/description.hpp"
+#include "views/messages.hpp"
+#include "views/options.hpp"
 #include "views/view_plan.hpp"
 #include "world/world.hpp"
 
@@ -24,6 +26,10 @@ void find_features(scene::SceneDescription& scene, const world::World& world);
 /// features that do not exist, and for faces that are not recognised.
 void state_by_features(std::vector<FileRequirements>& required, const scene::SceneDescription& scene,
                        const world::World& world);
+
+/// All that the models of a scene and the scene itself require. Throws as read_models and state_by_features do.
+std::vector<FileRequirements> requirements_of_scene(const scene::SceneDescription& scene, const RunOptions& options,
+                                                    const Messages& messages);
 
 /// The faces that the scene accepts as they are. Throws Error{input} for features that do not exist.
 std::vector<AcceptedFaces> accepted_faces(const scene::SceneDescription& scene, const world::World& world);

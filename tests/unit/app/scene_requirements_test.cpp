@@ -63,6 +63,24 @@ TEST_F(SceneRequirements, AreDrawnAndInTheLedger) {
   for (const Json& row : rows) EXPECT_EQ(row["sheet_zone"].text.size(), 2U);
 }
 
+// The ledger of a scene has the same rows as its drawing, in each of its formats.
+TEST_F(SceneRequirements, AreListedWithoutADrawingToo) {
+  ASSERT_EQ(draw(bore).code, 0);
+  const Outcome listed = epura(
+      {"requirements", "a.toml", "--drawing", "a.json", "--json", "l.json", "--as9102", "l.csv", "--qif", "l.qif"},
+      folder_ / "");
+  EXPECT_EQ(listed.code, 0) << listed.err;
+  EXPECT_TRUE(contains(listed.out, "requirement 1 diameter 18.0 -0.1/+0.2 mm")) << listed.out;
+  const Json model = JsonReader(read_file(folder_ / "l.json")).read()["models"].items.at(0);
+  EXPECT_TRUE(contains(model["name"].text, "flange.obj"));
+  const Json row = model["requirements"].items.at(0);
+  EXPECT_EQ(row["characteristic"].text, "1");
+  EXPECT_EQ(row["view"].text, ledger()[0]["view"].text);
+  EXPECT_FALSE(row["faces"].items.empty());
+  EXPECT_TRUE(contains(read_file(folder_ / "l.csv"), "diameter 18.0 -0.1/+0.2 mm"));
+  EXPECT_TRUE(contains(read_file(folder_ / "l.qif"), "<TargetValue>18</TargetValue>"));
+}
+
 TEST_F(SceneRequirements, AFitAndADistanceAreThoseOfTheModel) {
   const Outcome drawn = draw(
       "[[requirement]]\ntype = \"diameter\"\nfeature = \"hole 1\"\ntolerance = \"H8\"\n"
