@@ -282,7 +282,7 @@ TEST_F(Pmi, DimensionsWithoutRoomAreTold) {
     text += step_aspect(number, bottom_face) + step_aspect(number + 2, top_face) + "#" + std::to_string(number + 4) +
             "=DIMENSIONAL_LOCATION('linear distance','',#" + std::to_string(number) + ",#" +
             std::to_string(number + 2) + ");\n" + size(number + 5, number + 4, "20.", "2.2") +
-            deviations(number + 9, number + 4, "-0.1", "0." + std::to_string(100 + i));
+            deviations(number + 9, number + 4, "-0.1", "0." + std::to_string(201 + i));
   }
   const Outcome drawn = draw_box(text, {"--pmi", "all", "--sheet", "180x140", "--scale", "1:1"});
   EXPECT_IMPORTER();
@@ -300,10 +300,10 @@ TEST_F(Pmi, DimensionsWithoutRoomAreTold) {
 
 // A frame that is higher than the sheet has no place, and takes none from the views.
 TEST_F(Pmi, AFrameHigherThanTheSheetIsTold) {
-  std::string text = step_aspect(1000, top_face);
+  std::string text = step_aspect(1900, top_face);
   for (int i = 0; i < 200; ++i)
     text += step_length(2000 + 2 * i, "0." + std::to_string(100 + i), "") + "#" + std::to_string(2001 + 2 * i) +
-            "=FLATNESS_TOLERANCE('','',#" + std::to_string(2000 + 2 * i) + ",#1000);\n";
+            "=FLATNESS_TOLERANCE('','',#" + std::to_string(2000 + 2 * i) + ",#1900);\n";
   const Outcome drawn = draw_box(text + height);
   EXPECT_IMPORTER();
   EXPECT_EQ(drawn.code, 1) << drawn.err;

@@ -78,7 +78,7 @@ TEST_F(SceneRequirements, AreListedWithoutADrawingToo) {
   EXPECT_EQ(row["view"].text, ledger()[0]["view"].text);
   EXPECT_FALSE(row["faces"].items.empty());
   EXPECT_TRUE(contains(read_file(folder_ / "l.csv"), "diameter 18.0 -0.1/+0.2 mm"));
-  EXPECT_TRUE(contains(read_file(folder_ / "l.qif"), "<TargetValue>18</TargetValue>"));
+  EXPECT_TRUE(contains(read_file(folder_ / "l.qif"), ">18</TargetValue>"));
 }
 
 TEST_F(SceneRequirements, AFitAndADistanceAreThoseOfTheModel) {
