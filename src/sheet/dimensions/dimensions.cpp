@@ -301,7 +301,7 @@ class Placer {
     bool all_move = placed_[number] && faults_of(*placed_[number], drawing_, neighbours_) == 0;
     for (std::size_t i = 0; i < placed_.size() && all_move; ++i) {
       if (i == number || !placed_[i] || !do_cross(*placed_[number], *placed_[i])) continue;
-      all_move = i < count && !is_row(i) && !stays_[i];
+      all_move = i < count && !stays_[i];
       moved.push_back(i);
     }
     stays_[number] = true;

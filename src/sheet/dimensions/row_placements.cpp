@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -52,10 +53,10 @@ std::vector<double> spread(const std::vector<double>& wishes, const std::vector<
 /// A row whose dimension lines are on one side of the view.
 class RowDrawer {
  public:
-  /// `distance`: of the first dimension line to the left of `along`, from the first place. `shift`: of crowded texts of
-  /// a common origin, along the row.
+  /// `distance`: of the first dimension line to the left of `along`, from the first place. `shift`: of the texts of a
+  /// common origin along the row, beside the line through the origin, from which an overall size may be measured, too.
   RowDrawer(const MeasuredRow& row, const std::vector<Vec2>& places, double distance, const DimensionStyle& style,
-            double shift = 0)
+            std::optional<double> shift = std::nullopt)
       : row_(row),
         places_(places),
         style_(style),
@@ -212,16 +213,15 @@ class RowDrawer {
   // Lines from the origin, each with an arrow; numbers in line with the extension lines.
   void draw_ordinate() {
     const Vec2 first = foot(0), out = away_ * across_;
-    std::vector<double> wishes;
-    for (std::size_t i = 0; i < places_.size(); ++i) wishes.push_back(at(i));
-    std::vector<double> shifted = spread(wishes, std::vector<double>(wishes.size(), line_of_text * style_.text));
-    for (double& position : shifted) position += shift_;
-    const auto is_shifted = [&](std::size_t i) { return std::abs(shifted[i] - at(i)) > 1e-9; };
-    bool any_shifted = false;
-    for (std::size_t i = 0; i < wishes.size(); ++i) any_shifted = any_shifted || is_shifted(i);
-    const double jog = any_shifted ? style_.text + std::abs(shift_) / 4 : 0;
+    const std::size_t parted = ordinates_before_line();
+    const std::vector<double> shifted = ordinate_positions(parted);
+    std::array<double, 2> jogs{};  // of the texts on either side of the line through the origin
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      if (std::abs(shifted[i] - at(i)) > 1e-9)
+        jogs[i < parted ? 0 : 1] = style_.text + std::abs(shift_.value_or(0)) / 4;
     for (std::size_t i = 0; i < places_.size(); ++i) {
       extend(i);
+      const double jog = jogs[i < parted ? 0 : 1];
       const Vec2 end = foot(i) + style_.overshoot() * out;
       const Vec2 begin_of_text = end + jog * out + (shifted[i] - at(i)) * row_.along;
       if (jog > 0) add_crossable_line(drawn_, end, begin_of_text);
@@ -239,6 +239,31 @@ class RowDrawer {
     for (const auto& [from, to] : {std::array{0.0, origin - radius}, {origin + radius, end}})
       if (from < to) add_line(drawn_, first + from * row_.along, first + to * row_.along);
     add_zone(first, -radius, end + radius);
+  }
+
+  // How many texts are before the line through the origin, if none is on it. The text of the origin goes to the side
+  // with fewer others.
+  [[nodiscard]] std::size_t ordinates_before_line() const {
+    const std::size_t before = row_.origin, after = places_.size() - 1 - before;
+    return shift_ ? before + (before > after ? 0 : 1) : 0;
+  }
+
+  // Of the texts, along the row.
+  [[nodiscard]] std::vector<double> ordinate_positions(std::size_t parted) const {
+    const double step = line_of_text * style_.text, line = at(row_.origin);
+    const std::size_t count = places_.size();
+    std::vector<double> positions;
+    for (const auto& [from, to] : {std::pair(std::size_t{0}, parted), {parted, count}}) {
+      std::vector<double> wishes;
+      for (std::size_t i = from; i < to; ++i) wishes.push_back(at(i));
+      const std::vector<double> part = spread(wishes, std::vector<double>(wishes.size(), step));
+      positions.insert(positions.end(), part.begin(), part.end());
+    }
+    for (std::size_t i = 0; i < count && shift_; ++i) {
+      const double nearest = line + step * (static_cast<double>(i) - static_cast<double>(parted) + 0.5);
+      positions[i] = i < parted ? std::min(positions[i] + *shift_, nearest) : std::max(positions[i] + *shift_, nearest);
+    }
+    return positions;
   }
 
   void add_arrow(std::size_t place) {
@@ -266,7 +291,8 @@ class RowDrawer {
   const std::vector<Vec2>& places_;
   const DimensionStyle& style_;
   Vec2 across_;
-  double away_, distance_, shift_, height_ = 0;
+  double away_, distance_, height_ = 0;
+  std::optional<double> shift_;
   PlacedDimension drawn_;
   std::vector<Vec2> middles_;  ///< of texts
 };
@@ -285,6 +311,13 @@ MeasuredRow part_of(const MeasuredRow& row, const std::vector<bool>& taken, bool
     if (row.opposite) part.opposite->push_back((*row.opposite)[i]);
   }
   return part;
+}
+
+// Whether texts of a row with a common origin are nearer to each other than they can be.
+bool has_neighbours(const MeasuredRow& row, const DimensionStyle& style) {
+  return std::adjacent_find(row.places.begin(), row.places.end(), [&](const Vec2& a, const Vec2& b) {
+           return glm::dot(b - a, row.along) < line_of_text * style.text;
+         }) != row.places.end();
 }
 
 }  // namespace
@@ -342,10 +375,11 @@ std::vector<DimensionPlacement> placements_of(const MeasuredRow& row, const Meas
       const double distance = side * (outline + first_dimension + level * dimension_step(style.text));
       const double cost = cost_of_extension * extensions + cost_of_level * level;
       placements.push_back({RowDrawer(row, places, distance, style).draw(), cost});
-      if (level >= levels_of_shifted || !is_crowded(row, style)) continue;
-      for (const double shift : {-10, 10, -20, 20, -30, 30, -40, 40})
-        placements.push_back(
-            {RowDrawer(row, places, distance, style, shift).draw(), cost + cost_of_shift * std::abs(shift)});
+      if (level >= levels_of_shifted || row.arrangement != DimensionArrangement::ordinate) continue;
+      for (const double shift : {0, -10, 10, -20, 20, -30, 30, -40, 40})
+        if (shift == 0 || has_neighbours(row, style))
+          placements.push_back({RowDrawer(row, places, distance, style, shift).draw(),
+                                cost + cost_of_shift * (line_of_text * style.text + std::abs(shift))});
     }
   }
   check(placements.size() >= (row.above ? std::size_t{1} : std::size_t{2}) * row_levels,

@@ -188,5 +188,22 @@ TEST(RowDimensions, FansStandOnTwoSides) {
   EXPECT_EQ(sheet::place_dimensions({world, front, few, 1}, {sheet::Lettering(), 0.25}).layer.texts.size(), 13U);
 }
 
+// On either side of a view, its extension line is where the row has the text of its origin.
+TEST(RowDimensions, LeaveRoomForAnOverallSize) {
+  const world::World world = beam();
+  scene::DimensionDescription overall = dimension("linear", {}, "horizontal");
+  overall.anchors = {Vec3(0, 0, 0), Vec3(100, 0, 0)};
+  for (const double scale : {1.0, 1.5, 2.0})
+    for (const double pitch : {3.1, 4.0, 5.5}) {
+      std::vector<double> places{0};
+      for (double at = pitch; at < 98; at += pitch) places.push_back(at);
+      const std::vector<scene::DimensionDescription> both{row(DimensionArrangement::ordinate, places), overall};
+      const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front), scale);
+      const sheet::PlacedLayer placed = sheet::place_dimensions({world, front, both, 2}, {sheet::Lettering(), 0.25});
+      EXPECT_TRUE(placed.left_out.empty()) << scale << " " << pitch;
+      EXPECT_TRUE(placed.crossings.empty()) << scale << " " << pitch;
+    }
+}
+
 }  // namespace
 }  // namespace epura::test::row_dimensions_test
