@@ -297,6 +297,15 @@ inline std::string letters(int count) {
   });
 }
 
+// 30 holes, no two of which are in line.
+inline std::string irregular_plate() {
+  int number = 0;
+  return plate({26, 20}, 6, 5, 10, [&number](const Vec2& c) {
+    const int i = number++;
+    return stepped_hole({{2, 10}, {2, 0}})(c + Vec2(0.9 * (i % 5) - 1.9, 1.1 * (i / 5) - 2.7));
+  });
+}
+
 // A cylinder with a rounded edge.
 inline std::vector<Vec2> rounded_pin(double radius, double edge, double length) {
   std::vector<Vec2> profile{{0, 1e-9}, {0, radius}};

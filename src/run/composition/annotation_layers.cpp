@@ -103,6 +103,8 @@ void note_faults(std::vector<report::Finding>& findings, const std::string& view
                  const sheet::Paper& paper) {
   for (const std::string& crossing : placed.crossings)
     findings.push_back({report::FindingKind::crossing, view, crossing});
+  for (const std::string& fan : placed.fans)
+    findings.push_back({report::FindingKind::fan, view, "too many ordinates on one side: '" + fan + "'"});
   for (const sheet::Text& text : placed.layer.texts)
     if (text.height < sheet::smallest_lettering)
       findings.push_back({report::FindingKind::small_text, view, "'" + text.text + "'"});
@@ -344,7 +346,6 @@ std::vector<sheet::Callout> add_dimensions(AnnotationLayers& result, sheet::Neig
   note_faults(result.findings, drawing.name, placed, paper);
   tell_left_out(result, placed, wanted.dimensions.size(), drawing.name);
   tell_unseen(result, placed, drawing.name);
-  result.fans += placed.fans;
   for (const std::size_t number : placed.left_out) result.left_out[of.view].push_back(wanted.numbers[number]);
   for (const std::size_t number : placed.unseen) result.unseen[of.view].push_back(wanted.numbers[number]);
   for (const std::size_t number : placed.undrawn(wanted.dimensions.size()))
@@ -352,10 +353,8 @@ std::vector<sheet::Callout> add_dimensions(AnnotationLayers& result, sheet::Neig
   for (const auto& [number, box] : placed.places)
     result.places.push_back({wanted.dimensions[number].requirement, of.view, box});
   const std::size_t undrawn = wanted.dimensions.size() - placed.count;
-  if (undrawn > 0) {
-    budget.partial.add_stage("placing dimensions");
-    budget.partial.undrawn += static_cast<long long>(undrawn);
-  }
+  if (undrawn > 0) budget.partial.add_stage("placing dimensions");
+  budget.partial.undrawn += static_cast<long long>(undrawn);
   if (!sheet::on_paper(placed.layer, {paper.width, paper.height}))
     result.warnings.push_back("dimensions of the view '" + drawing.name +
                               "' extend beyond the sheet\n  hint: use a smaller scale or a larger sheet");

@@ -29,7 +29,6 @@ struct AnnotationLayers {
   std::vector<std::string> unplaced{};             ///< requirements of dimensions and callouts that are not drawn
   std::vector<RequirementPlace> places{};          ///< of dimensions and callouts that are drawn
   std::size_t without_room = 0;                    ///< notes, symbols, tables, rows of hole tables, likewise
-  std::size_t fans = 0;                            ///< as in sheet::PlacedLayer
   std::vector<std::string> warnings;
   std::vector<std::string> unseen_warnings;  ///< no other sheet helps
   std::vector<report::Finding> findings;

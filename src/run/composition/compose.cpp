@@ -272,7 +272,6 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   finished.unplaced = beside.unplaced;
   for (const RequirementPlace& place : beside.places)
     finished.zones.emplace_back(place.requirement, sheet::zone_at(paper, furniture.frame, place.box.centre));
-  finished.fans = beside.fans;
   if (beside.leaves_out_more_than(input.max_left_out)) {
     finished.left_out = std::move(beside.left_out);
     return finished;

@@ -44,7 +44,9 @@ bool draws_edges(const sheet::Layer& layer) {
 std::pair<std::size_t, std::size_t> faults_of(const FinishedSheet& sheet) {
   std::size_t count = sheet.without_room;
   for (const std::vector<std::size_t>& of_view : sheet.left_out) count += of_view.size();
-  return {count, sheet.fans};
+  const auto fans = std::count_if(sheet.findings.begin(), sheet.findings.end(),
+                                  [](const report::Finding& one) { return one.kind == report::FindingKind::fan; });
+  return {count, static_cast<std::size_t>(fans)};
 }
 
 bool is_complete(const FinishedSheet& sheet) {

@@ -29,13 +29,12 @@ struct FinishedSheet {
   std::vector<std::string> unplaced{};               ///< requirements of dimensions and callouts that are not drawn
   std::vector<std::pair<std::string, std::string>> zones{};  ///< of others: the field of the frame in which they are
   std::size_t without_room = 0;                              ///< notes, symbols, tables, rows of hole tables
-  std::size_t fans = 0;                                      ///< as in sheet::PlacedLayer
   bool lacks_lines = false;                                  ///< time was over before all were found
   bool is_crowded = false;                                   ///< something has no place on it, or a worse one
 };
 
 /// How many dimensions, notes, symbols, tables and rows of hole tables a sheet has no room for; and how many of its
-/// rows are longer than their views, which is less bad.
+/// rows are fans, which lint finds and is less bad.
 std::pair<std::size_t, std::size_t> faults_of(const FinishedSheet& sheet);
 
 /// Whether all has its usual place on a sheet.

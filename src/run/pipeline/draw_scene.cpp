@@ -455,7 +455,7 @@ std::optional<HoleDimensions> other_holes(const FinishedSheet& drawn, const Prep
   const bool has_table = std::any_of(sheet.annotations.begin(), sheet.annotations.end(),
                                      [](const Annotations& view) { return !view.tables.empty(); });
   if (has_table && drawn.without_room > 0) return HoleDimensions::notes;
-  if (!has_table && drawn.fans > 0) return HoleDimensions::table;
+  if (!has_table && faults_of(drawn).second > 0) return HoleDimensions::table;
   return std::nullopt;
 }
 

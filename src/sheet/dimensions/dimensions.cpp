@@ -513,7 +513,8 @@ class Measuring {
       MeasuredDimension& one = shown_.add(i, view_, measured);
       one.form = part;
       one.text = text_of(part);
-      if (is_crowded(part, style_)) ++placed_.fans;
+      const Vec2 size = view_.drawing.box.max - view_.drawing.box.min;
+      if (is_fan(part, std::abs(glm::dot(size, part.along)), style_)) placed_.fans.push_back(one.text.line());
     }
     if (!may_part) shown_.add(i, view_, std::move(measured));
   }

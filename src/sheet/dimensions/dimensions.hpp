@@ -39,7 +39,7 @@ struct PlacedLayer {
   std::vector<std::string> texts_left_out{};
   std::vector<std::size_t> unseen{};  ///< numbers of those that measure what the view does not show, also left out
   std::vector<std::string> texts_unseen{};
-  std::size_t fans = 0;                  ///< rows whose texts need more room than the view has
+  std::vector<std::string> fans{};       ///< texts of rows that are too many for a side of the view, or longer than it
   std::vector<std::string> crossings{};  ///< a sentence for each dimension that something crosses
   /// Ends of the dimension lines that have a name; arrows are numbers of areas of the layer.
   std::map<std::string, std::vector<DimensionEnd>> ends{};

@@ -26,11 +26,12 @@ std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, cons
 std::vector<DimensionPlacement> placements_of(const MeasuredRow& row, const MeasuredDimension& measured,
                                               const drawing::ViewDrawing& drawing, const DimensionStyle& style);
 
-/// Whether the texts of a row with a common origin need more room along it than its places have.
-bool is_crowded(const MeasuredRow& row, const DimensionStyle& style);
+/// Whether a row with a common origin has too many places for one side of a view, or texts that need more than so many
+/// mm along it.
+bool is_fan(const MeasuredRow& row, double room, const DimensionStyle& style);
 
-/// A row with a common origin; if it is crowded, or has too many places for one side of a view, two such rows on
-/// opposite sides, each with the places nearer to it.
+/// A row with a common origin; if it would be a fan beside its own length, two such rows on opposite sides, each with
+/// the places nearer to it.
 std::vector<MeasuredRow> on_two_sides(const MeasuredRow& row, const DimensionStyle& style);
 
 /// Arcs of growing radius; an offset is the radius. Of the length of an arc: arcs farther and farther outside it; an

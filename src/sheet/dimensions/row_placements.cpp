@@ -322,16 +322,15 @@ bool has_neighbours(const MeasuredRow& row, const DimensionStyle& style) {
 
 }  // namespace
 
-bool is_crowded(const MeasuredRow& row, const DimensionStyle& style) {
-  return row.arrangement == DimensionArrangement::ordinate &&
-         line_of_text * style.text * static_cast<double>(row.places.size()) > row.size();
+bool is_fan(const MeasuredRow& row, double room, const DimensionStyle& style) {
+  constexpr std::size_t fewest = 4, max_on_a_side = 12;  // with the origin, and without it
+  if (row.arrangement != DimensionArrangement::ordinate || row.places.size() < fewest) return false;
+  return row.places.size() > max_on_a_side + 1 ||
+         line_of_text * style.text * static_cast<double>(row.places.size() - 1) > room;
 }
 
 std::vector<MeasuredRow> on_two_sides(const MeasuredRow& row, const DimensionStyle& style) {
-  constexpr std::size_t max_on_a_side = 12;
-  const bool is_fan = row.places.size() > max_on_a_side + 1 || is_crowded(row, style);
-  constexpr std::size_t fewest = 4;  // places: fewer are no fan
-  if (row.arrangement != DimensionArrangement::ordinate || !is_fan || row.places.size() < fewest) return {row};
+  if (!is_fan(row, row.size(), style)) return {row};
   std::vector<std::size_t> order;  // from below, or from the right; of places side by side, each second one above
   for (std::size_t i = 0; i < row.places.size(); ++i)
     if (i != row.origin) order.push_back(i);

@@ -83,6 +83,7 @@ enum class FindingKind {
   contradictory,
   untrue,
   crossing,
+  fan,
   small_text,
   off_sheet,
   repeated,
@@ -97,13 +98,14 @@ struct FindingRow {
 };
 
 /// By FindingKind.
-inline constexpr std::array<FindingRow, 10> finding_rows{{
+inline constexpr std::array<FindingRow, 11> finding_rows{{
     {"not drawn", Axis::requirements},
     {"not dimensioned", Axis::completeness},
     {"cannot tell", Axis::completeness, false},
     {"contradictory", Axis::fidelity},
     {"untrue", Axis::fidelity},
     {"crossing", Axis::legibility},
+    {"crowded", Axis::legibility},
     {"too small", Axis::legibility},
     {"off the sheet", Axis::legibility},
     {"dimensioned twice", Axis::restraint},

@@ -7,8 +7,13 @@
 
 #include "composition/layout.hpp"
 #include "composition/occupied_room.hpp"
+#include "drawn_texts.hpp"
+#include "errors.hpp"
+#include "folder.hpp"
+#include "known_parts.hpp"
+#include "program.hpp"
 
-namespace epura::layouts_test {
+namespace epura::test::layouts_test {
 namespace {
 
 TEST(Layouts, ALargerScaleIsTriedBeforeSmallerOnes) {
@@ -65,5 +70,47 @@ TEST(Layouts, TheCentreLineOfADiscIsItsAxis) {
   }
 }
 
+// Fifteen lengths on a side of the view are too many; a sheet whose holes are in a table need not be larger for them.
+TEST(Layouts, ManyHolesAreInATable) {
+  const Folder folder;
+  const std::string part = folder.file("part.obj", irregular_plate());
+  for (const char* size : {"A3", "auto"}) {
+    const Outcome run = epura(
+        {"lint", part, "--views", "front,top", "--dimensions", "auto", "--sheet", size, "-o", "x.svg"}, folder / "");
+    EXPECT_EQ(run.code, 0) << size << ": " << run.out << run.err;
+    const std::string drawn = read_file(folder / "x.svg");
+    const std::vector<std::string> found = dimensions_in(drawn);
+    EXPECT_EQ(std::count(found.begin(), found.end(), "⌀4"), 30) << size;
+    EXPECT_EQ(std::count(found.begin(), found.end(), "0"), 0) << size;
+    EXPECT_TRUE(contains(drawn, "width=\"420mm\" height=\"297mm\"")) << size;
+  }
+}
+
+// Where no other sheet may be chosen.
+TEST(Layouts, FansAreTold) {
+  const Folder folder;
+  const auto lint = [&folder](int steps, const char* scale) {
+    return epura({"lint", folder.file("part.obj", block(stairs(steps), 30)), "--views", "front,top,left",
+                  "--dimensions", "auto", "--sheet", "A3", "--scale", scale},
+                 folder / "");
+  };
+  EXPECT_EQ(lint(13, "1:1").code, 0);
+  const Outcome small = lint(13, "1:5"), many = lint(30, "1:1");
+  EXPECT_EQ(small.code, 1);
+  EXPECT_TRUE(contains(small.out, "crowded: too many ordinates on one side: '")) << small.out;
+  EXPECT_EQ(many.code, 1);
+  EXPECT_TRUE(contains(many.out, "crowded: too many ordinates on one side: '5, 10, 15, ")) << many.out;
+}
+
+// Its overall size must have room beside its rows.
+TEST(Layouts, AStairIsNotDrawnSmallerThanItsRowsNeed) {
+  const Folder folder;
+  const std::string part = folder.file("part.obj", block(stairs(18), 20));
+  const Outcome run =
+      epura({"lint", part, "--views", "front,top,left", "--dimensions", "auto", "-o", "x.svg"}, folder / "");
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_TRUE(contains(read_file(folder / "x.svg"), "aria-label=\"1:1\""));
+}
+
 }  // namespace
-}  // namespace epura::layouts_test
+}  // namespace epura::test::layouts_test

@@ -182,10 +182,26 @@ TEST(RowDimensions, FansStandOnTwoSides) {
   EXPECT_EQ(above, 9U);
   EXPECT_EQ(below, 9U);
   EXPECT_EQ(origins, 2U);
+  EXPECT_TRUE(placed.fans.empty());
   // Twelve are none.
   places.resize(13);
   const std::vector<scene::DimensionDescription> few{row(DimensionArrangement::ordinate, places)};
   EXPECT_EQ(sheet::place_dimensions({world, front, few, 1}, {sheet::Lettering(), 0.25}).layer.texts.size(), 13U);
+}
+
+TEST(RowDimensions, FansAreTold) {
+  const world::World world = beam();
+  const auto fans = [&world](int count, double scale) {
+    std::vector<double> places{0};
+    for (int i = 1; i <= count; ++i) places.push_back(3 * i);
+    const std::vector<scene::DimensionDescription> one{row(DimensionArrangement::ordinate, places)};
+    const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front), scale);
+    return sheet::place_dimensions({world, front, one, 1}, {sheet::Lettering(), 0.25}).fans.size();
+  };
+  EXPECT_EQ(fans(24, 2), 0U) << "twelve on each side";
+  EXPECT_EQ(fans(26, 2), 2U) << "thirteen";
+  EXPECT_EQ(fans(16, 0.5), 0U) << "nine texts, 5.25 mm each, beside a view of 50 mm";
+  EXPECT_EQ(fans(20, 0.5), 2U) << "eleven";
 }
 
 // On either side of a view, its extension line is where the row has the text of its origin.
