@@ -291,9 +291,12 @@ inline Loop angle() {
   return outline;
 }
 
-inline std::string letters(int count) {
-  return plate({60, 60}, count, 1, 20, [](const Vec2& c) {
-    return Hole{{cross_outline(c, 8, 2), 20}, {cross_outline(c, 8, 2), 18}};
+// Crosses; wide ones are longer than a letter, as letters that touch are.
+inline std::string letters(int count, double width = 1) {
+  return plate({60, 60}, count, 1, 20, [width](const Vec2& c) {
+    Loop outline = cross_outline(c, 8, 2);
+    for (Vec2& p : outline) p.x = c.x + width * (p.x - c.x);
+    return Hole{{outline, 20}, {outline, 18}};
   });
 }
 
@@ -527,6 +530,7 @@ inline std::vector<KnownPart> blocks() {
        {"80", "30", "25", "24", "30", "50", "56", "18"}},
       {"a fillet", block(angle(), 30), {"60", "50", "30", "12", "12", "R8"}},
       {"letters", letters(2), {"120", "60", "20", "18"}},
+      {"letters that touch", letters(2, 2.25), {"120", "60", "20", "18"}},
       {"a cross", letters(1), {"60", "60", "20", "18", "22", "28", "4", "16", "22", "28", "4", "16"}},
       {"rounded corners", block(rounded_rectangle({80, 50}, 12), 10), {"80", "50", "10", "4× R12"}}};
 }

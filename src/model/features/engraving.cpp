@@ -2,6 +2,7 @@
 #include "features/engraving.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
@@ -117,8 +118,10 @@ std::optional<Mark> mark_of(const Pocket& pocket, std::span<const int> faces, co
     box.add(boxes[face].min);
     box.add(boxes[face].max);
   }
-  const double size = glm::length(box.size()), slack = 1e-6 * part_size;
-  if (size > largest_letter * part_size) return std::nullopt;
+  const double size = glm::length(box.size()), largest = largest_letter * part_size, slack = 1e-6 * part_size;
+  std::array<double, 3> sides{box.size().x, box.size().y, box.size().z};
+  std::sort(sides.begin(), sides.end());
+  if (sides[1] > largest) return std::nullopt;
   Mark mark{&pocket, 0, 0};
   for (const int face : faces) {
     const PartSurface& surface = part.faces[face].surface;
@@ -135,6 +138,8 @@ std::optional<Mark> mark_of(const Pocket& pocket, std::span<const int> faces, co
     if (!is_flat && !is_wall) return std::nullopt;
     if (is_wall) ++mark.walls;
   }
+  const bool is_word = size > largest;  // of letters that touch
+  if (is_word && mark.walls < usual_walls) return std::nullopt;
   if (mark.rise == 0 || std::abs(mark.rise) > deepest_letter * size) return std::nullopt;
   return mark;
 }
