@@ -86,9 +86,9 @@ void add_labels(std::vector<DimensionPlacement>& placements, const MeasuredCircl
 
 // The middle of each of `count` parts of an arc; for a circle, the diagonals are included.
 std::vector<double> angles_of(const MeasuredCircle& circle, int count) {
-  const bool whole = std::abs(circle.sweep) >= 2 * std::numbers::pi;
   std::vector<double> angles;
-  for (int i = 0; i < count; ++i) angles.push_back(circle.first + (whole ? i : i + 0.5) * circle.sweep / count);
+  for (int i = 0; i < count; ++i)
+    angles.push_back(circle.first + (circle.is_whole() ? i : i + 0.5) * circle.sweep / count);
   return angles;
 }
 
@@ -98,7 +98,6 @@ std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, cons
                                               const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
   std::vector<DimensionPlacement> placements;
   if (circle.is_label) add_labels(placements, circle, measured.text, style);
-  const bool whole = std::abs(circle.sweep) >= 2 * std::numbers::pi;
   const DrawnParts drawn_parts(drawing, circle);
   for (const double angle : drawn_parts.among(angles_of(circle, leader_directions))) {
     const Vec2 direction = turned_to(angle);
@@ -121,7 +120,7 @@ std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, cons
       from_inside = from_inside && (past <= 0 || ink_in(beyond, drawing) == 0);
       if (from_inside) add(-length, cost_of_inside + cost_of_length * length);
     }
-    if (!circle.is_radius && !circle.is_label && !circle.spokes && whole &&
+    if (!circle.is_radius && !circle.is_label && !circle.spokes && circle.is_whole() &&
         drawn_parts.is_at(angle) == drawn_parts.is_at(angle + std::numbers::pi))
       add_across(placements, circle, measured.text, angle, style);
   }

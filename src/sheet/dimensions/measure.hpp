@@ -3,6 +3,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <variant>
@@ -58,11 +60,15 @@ struct MeasuredCircle {
   double value = 0;       ///< in the world, mm
   std::optional<std::array<Vec2, 2>> spokes{};  ///< of an ellipse: images of two perpendicular spokes
 
+  [[nodiscard]] bool is_whole() const { return std::abs(sweep) >= 2 * std::numbers::pi; }
   /// A direction from the centre in lengths of the spokes: 1 where it meets the circle.
   [[nodiscard]] Vec2 in_spokes(const Vec2& off) const {
     if (!spokes) return off / radius;
     const auto& [u, v] = *spokes;
     return Vec2(cross(off, v), cross(u, off)) / cross(u, v);
+  }
+  [[nodiscard]] Vec2 of_spokes(const Vec2& p) const {
+    return spokes ? p.x * (*spokes)[0] + p.y * (*spokes)[1] : radius * p;
   }
   /// From the centre to the circle, along a unit vector.
   [[nodiscard]] double reach(const Vec2& direction) const {

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/nearest.hpp"
+#include "base/portable_math.hpp"
 #include "drawing/drawing.hpp"
 #include "sheet/marks.hpp"
 
@@ -45,6 +46,18 @@ bool has_line_at(const drawing::ViewDrawing& drawing, const Vec2& end, const Mea
   });
 }
 
+// Round lines around points of a circle that is not drawn itself: of holes, if there are several.
+std::vector<Disc> holes_on(const MeasuredCircle& circle, const drawing::ViewDrawing& drawing) {
+  if (circle.spokes || !circle.is_whole()) return {};
+  std::vector<Disc> discs = discs_of(drawing);
+  const auto off = [&circle](const Disc& disc) { return glm::distance(disc.centre, circle.centre); };
+  const bool is_drawn = std::any_of(discs.begin(), discs.end(), [&](const Disc& disc) {
+    return off(disc) <= on_line && std::abs(disc.radius - circle.radius) <= by_facets * circle.radius;
+  });
+  std::erase_if(discs, [&](const Disc& disc) { return std::abs(off(disc) - circle.radius) > on_line; });
+  return is_drawn || discs.size() < 2 ? std::vector<Disc>() : discs;
+}
+
 }  // namespace
 
 bool shows_circle(const drawing::ViewDrawing& drawing, const MeasuredDimension& measured) {
@@ -59,6 +72,8 @@ bool shows_visible(const drawing::ViewDrawing& drawing, const MeasuredCircle& ci
 }
 
 DrawnParts::DrawnParts(const drawing::ViewDrawing& drawing, const MeasuredCircle& circle) : circle_(circle) {
+  holes_ = holes_on(circle, drawing);
+  if (!holes_.empty()) return;
   const bool visible_only = has_line_along(drawing, circle, true);
   for (const drawing::Segment& segment : drawing.segments)
     if (const auto line = in_circle(segment, circle); (segment.visible || !visible_only) && is_along(line, by_facets))
@@ -66,6 +81,10 @@ DrawnParts::DrawnParts(const drawing::ViewDrawing& drawing, const MeasuredCircle
 }
 
 bool DrawnParts::is_at(double angle) const {
+  const Vec2 tip = circle_.centre + circle_.reach(turned_to(angle)) * turned_to(angle);
+  if (!holes_.empty())
+    return std::none_of(holes_.begin(), holes_.end(),
+                        [&tip](const Disc& hole) { return glm::distance(tip, hole.centre) <= hole.radius; });
   const Vec2 p = circle_.in_spokes(turned_to(angle));
   return std::any_of(lines_.begin(), lines_.end(), [&p](const std::array<Vec2, 2>& line) {
     return cross(line[0], p) * cross(p, line[1]) >= 0 && glm::dot(line[0] + line[1], p) > 0;
@@ -76,7 +95,13 @@ std::vector<double> DrawnParts::among(const std::vector<double>& angles) const {
   std::vector<double> drawn;
   std::copy_if(angles.begin(), angles.end(), std::back_inserter(drawn), [this](double angle) { return is_at(angle); });
   check(drawn.size() <= angles.size(), "a leader has one of the directions that it may have");
-  return 2 * drawn.size() < angles.size() ? angles : drawn;
+  if (!drawn.empty()) return drawn;
+  if (lines_.empty() || !circle_.is_whole()) return angles;
+  const auto& [from, to] = *std::max_element(lines_.begin(), lines_.end(), [](const auto& a, const auto& b) {
+    return glm::distance(a[0], a[1]) < glm::distance(b[0], b[1]);
+  });
+  const Vec2 middle = circle_.of_spokes((from + to) / 2.0);
+  return {portable_atan2(middle.y, middle.x)};
 }
 
 }  // namespace epura::sheet

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dimensions/measure.hpp"
+#include "dimensions/surroundings.hpp"
 #include "drawing/drawing.hpp"
 
 namespace epura::sheet {
@@ -18,19 +19,21 @@ bool shows_circle(const drawing::ViewDrawing& drawing, const MeasuredDimension& 
 /// Whether the drawing has a visible line along a circle.
 bool shows_visible(const drawing::ViewDrawing& drawing, const MeasuredCircle& circle);
 
-/// The parts of a circle that a view draws; only the visible ones if there are any.
+/// The parts of a circle that a view draws; only the visible ones if there are any. Of a circle through the centres of
+/// holes, those between the holes, which have lines along it, too.
 class DrawnParts {
  public:
   DrawnParts(const drawing::ViewDrawing& drawing, const MeasuredCircle& circle);
 
-  /// Of directions from the centre, in radians, those in which the circle is drawn; all of them if it is in less
-  /// than half: holes on a pitch circle have lines along it, too.
+  /// Of directions from the centre, in radians, those in which the circle is drawn. Where it is in none of them, that
+  /// of its longest line; all if it has none.
   [[nodiscard]] std::vector<double> among(const std::vector<double>& angles) const;
   [[nodiscard]] bool is_at(double angle) const;
 
  private:
   const MeasuredCircle& circle_;
   std::vector<std::array<Vec2, 2>> lines_;  ///< from the centre, in lengths of the spokes
+  std::vector<Disc> holes_;                 ///< through whose centres it goes
 };
 
 }  // namespace epura::sheet

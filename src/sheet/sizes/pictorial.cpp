@@ -155,7 +155,10 @@ class PictorialPlanner {
         return open_end(*a).first < open_end(*b).first - 1e-9;
       });
       const std::string text = times(group.size()) + name_in_note(shown->thread) + recesses_of(*shown, notation_);
-      add(DimensionType::diameter, text).circle = {open_end(*shown).second, shown->axis, shown->called() / 2, {}};
+      const Vec3 end = open_end(*shown).second;
+      // Below its recess, where its circle is drawn.
+      add(DimensionType::diameter, text).circle = {
+          end == shown->mouth ? shown->begin_of_bore() : end, shown->axis, shown->called() / 2, {}};
     }
   }
 

@@ -234,5 +234,49 @@ TEST(DimensionClearance, LeadersEndWhereTheirCircleIsDrawn) {
   }
 }
 
+// Round posts stand on a circle, also where leaders lean by 45 degrees.
+TEST(DimensionClearance, LeadersToPitchCirclesEndBetweenTheHoles) {
+  constexpr double pitch = 40, radius = 5;
+  for (const int count : {2, 4, 8, 12}) {
+    Shape posts;
+    std::vector<Vec2> centres;
+    for (int i = 0; i < count; ++i) {
+      const double angle = std::numbers::pi / 4 + 2 * std::numbers::pi * i / count;
+      centres.emplace_back(pitch * std::cos(angle), pitch * std::sin(angle));
+      posts.add(cylinder(24, radius, 5).moved(centres.back().x, centres.back().y, 0));
+    }
+    const world::World world = placed(posts);
+    const drawing::ViewDrawing view = drawing_of(world, from_above());
+    scene::DimensionDescription diameter = dimension("diameter", {});
+    diameter.circle = scene::FeatureCircle{{0, 0, 5}, {0, 0, 1}, pitch, {}};
+    const Vec2 centre = drawing::position_on_page(view, Vec3(0, 0, 5));
+    for (const sheet::Fill& arrow : layer_of(world, view, {diameter}).fills)
+      for (const Vec2& hole : centres) EXPECT_GT(glm::distance(arrow.rings[0][0] - centre, hole), radius) << count;
+  }
+}
+
+// A wall hides most of the rim of a disc.
+TEST(DimensionClearance, LeadersEndWhereAnEllipseIsSeen) {
+  for (const double wall : {-9.0, -4.0, 0.0}) {
+    Shape part = cylinder(48, 10, 5);
+    part.add(box({-40, -60, 0}, {60, wall, 12}));
+    const world::World world = placed(part);
+    const drawing::ViewDrawing view = drawing_of(world, orthographic(from_corner));
+    scene::DimensionDescription diameter = dimension("diameter", {});
+    diameter.circle = scene::FeatureCircle{{0, 0, 5}, {0, 0, 1}, 10, {}};
+    const sheet::Layer layer = layer_of(world, view, {diameter});
+    ASSERT_EQ(layer.fills.size(), 1U);
+    const Vec2 tip = layer.fills[0].rings[0][0];
+    double nearest = HUGE_VAL;
+    for (const drawing::Segment& segment : view.segments) {
+      if (!segment.visible) continue;
+      const Vec2 along = segment.to - segment.from;
+      const double at = std::clamp(glm::dot(tip - segment.from, along) / glm::dot(along, along), 0.0, 1.0);
+      nearest = std::min(nearest, glm::distance(tip, segment.from + at * along));
+    }
+    EXPECT_LT(nearest, 0.05) << wall;
+  }
+}
+
 }  // namespace
 }  // namespace epura::test::dimension_clearance_test
