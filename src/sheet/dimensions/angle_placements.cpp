@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -7,6 +8,7 @@
 #include "base/portable_math.hpp"
 #include "dimensions/costs.hpp"
 #include "dimensions/forms.hpp"
+#include "dimensions/length_reach.hpp"
 #include "drawing/drawing.hpp"
 
 namespace epura::sheet {
@@ -151,12 +153,24 @@ int lines_across(const drawing::ViewDrawing& drawing, const Sector& sector, doub
   return count;
 }
 
+// By leg: from which radius on its extension line goes through the part.
+std::array<double, 2> radii_of_part(const MeasuredAngle& angle, const drawing::ViewDrawing& drawing) {
+  std::array<double, 2> radii{};
+  const double farthest = glm::distance(drawing.box.min, drawing.box.max);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const Vec2 end = angle.corner + angle.legs[i];
+    radii[i] = glm::length(angle.legs[i]) + way_to_part(end, end + farthest * glm::normalize(angle.legs[i]), drawing);
+  }
+  return radii;
+}
+
 }  // namespace
 
 std::vector<DimensionPlacement> placements_of(const MeasuredAngle& angle, const MeasuredDimension& measured,
                                               const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
   std::vector<DimensionPlacement> placements;
   const double sweep = std::abs(sector_of(angle).sweep);
+  const std::array<double, 2> part = radii_of_part(angle, drawing);
   for (int k = 0; k < (measured.offset ? 1 : radii); ++k) {
     const double offset = measured.offset ? std::abs(*measured.offset) : 0;
     if (angle.arc) {
@@ -176,7 +190,9 @@ std::vector<DimensionPlacement> placements_of(const MeasuredAngle& angle, const 
                                     longer * (k - radii + beyond_legs));
     const double width = style.width(measured.text) + 2 * style.above();
     const bool room = radius * sweep > width;
-    const double crossed = cost_of_crossing * std::max(lines_across(drawing, sector_of(angle), radius) - 1, 0);
+    const double crossed =
+        cost_of_crossing * std::max(lines_across(drawing, sector_of(angle), radius) - 1, 0) +
+        cost_of_other * static_cast<double>(std::ranges::count_if(part, [radius](double at) { return at < radius; }));
     for (const int place : {0, 1, -1, 2, -2}) {
       const bool is_aside = std::abs(place) == 2;
       if (is_aside && radius * sweep / 2 <= width) continue;

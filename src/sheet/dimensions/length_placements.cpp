@@ -63,8 +63,9 @@ struct Side {
   }
 };
 
-// Whether a view draws a line of the part, which may consist of pieces, from one side of another line to the other.
-bool goes_through_part(const Vec2& from, const Vec2& to, const drawing::ViewDrawing& drawing) {
+}  // namespace
+
+double way_to_part(const Vec2& from, const Vec2& to, const drawing::ViewDrawing& drawing) {
   const double length = glm::distance(from, to);
   check(length > 0, "an extension line has a length");
   const Vec2 along = (to - from) / length;
@@ -78,10 +79,17 @@ bool goes_through_part(const Vec2& from, const Vec2& to, const drawing::ViewDraw
     if (std::min(a, b) < -on_line) beside[0].push_back(at);
     if (std::max(a, b) > on_line) beside[1].push_back(at);
   }
-  return std::any_of(beside[0].begin(), beside[0].end(), [&](double one) {
-    return std::any_of(beside[1].begin(), beside[1].end(),
-                       [&](double other) { return std::abs(one - other) <= on_line; });
-  });
+  double nearest = HUGE_VAL;
+  for (const double one : beside[0])
+    for (const double other : beside[1])
+      if (std::abs(one - other) <= on_line) nearest = std::min(nearest, one);
+  return nearest;
+}
+
+namespace {
+
+bool goes_through_part(const Vec2& from, const Vec2& to, const drawing::ViewDrawing& drawing) {
+  return way_to_part(from, to, drawing) < HUGE_VAL;
 }
 
 // Below or on the right first.

@@ -22,4 +22,8 @@ struct Reach {
 /// paper, otherwise the ink between the extension lines.
 Reach reach_of_ink(const MeasuredLength& length, const drawing::ViewDrawing& drawing);
 
+/// How far on its way an extension line meets a line of the part, which may consist of pieces, that goes from one side
+/// of it to the other, mm; HUGE_VAL if none does.
+double way_to_part(const Vec2& from, const Vec2& to, const drawing::ViewDrawing& drawing);
+
 }  // namespace epura::sheet

@@ -278,5 +278,26 @@ TEST(DimensionClearance, LeadersEndWhereAnEllipseIsSeen) {
   }
 }
 
+// 40 from the corner of an angle of 60 degrees, whose legs are 20 long, a post stands in the way of one of them.
+TEST(DimensionClearance, LegsOfAnglesDoNotGoThroughThePart) {
+  const auto costs = [](double post) {
+    Shape part = box({0, -5, -10}, {1, 5, 0});
+    part.add(box({post, -5, 0}, {post + 4, 5, 60}));
+    const world::World world = placed(part);
+    const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
+    const Vec2 corner = drawing::position_on_page(front, Vec3(0));
+    const sheet::MeasuredAngle angle{corner, {Vec2(20, 0), 20.0 * Vec2(0.5, std::sqrt(0.75))}};
+    std::vector<double> found;
+    for (const auto& one :
+         sheet::placements_of(angle, {angle, sheet::DimensionText("60°"), {}}, front, {sheet::Lettering(), 0.25}))
+      found.push_back(one.cost);
+    return found;
+  };
+  const std::vector<double> blocked = costs(20), free = costs(-40);
+  ASSERT_EQ(blocked.size(), free.size());
+  EXPECT_EQ(blocked.front(), free.front());
+  EXPECT_GE(blocked.back(), free.back() + 20);
+}
+
 }  // namespace
 }  // namespace epura::test::dimension_clearance_test
