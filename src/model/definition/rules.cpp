@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "base/angle.hpp"
 #include "definition/limits.hpp"
 #include "surfaces/least_squares.hpp"
 
@@ -96,7 +97,8 @@ void state_in_line(const Part& part, const Directions& directions, const Unknown
     std::vector<std::pair<double, int>> places;
     for (int face = 0; face < static_cast<int>(number_of(part)); ++face)
       if (const PartSurface& surface = surface_of(part, face);
-          has_place_along(surface, along) && (is_main || surface.kind == SurfaceKind::plane))
+          has_place_along(surface, along) &&
+          ((is_main && marks.has_centre_lines) || surface.kind == SurfaceKind::plane))
         places.emplace_back(glm::dot(unknowns.anchor(face), along), face);
     std::sort(places.begin(), places.end());
     for (std::size_t i = 1; i < places.size(); ++i) {
@@ -110,6 +112,7 @@ void state_in_line(const Part& part, const Directions& directions, const Unknown
       statement.rows.push_back(tidy(std::move(row)));
     }
   }
+  if (!marks.has_centre_lines) return;
   for (const Vec3& sight : marks.axes) state_in_view(part, directions, unknowns, sight, statement);
 }
 
@@ -196,7 +199,13 @@ void state_same(const Part& part, const Directions&, const Unknowns& unknowns, c
     }
 }
 
-// A cone that is the end of a bore, and touches nothing else, has the angle of a drill.
+// Of twist drills, as they are (DIN 1412), and as they are drawn: 118 to 120 degrees.
+bool has_angle_of_drill(const PartSurface& cone) {
+  const long angle = std::lround(2 * std::atan(std::abs(cone.slope)) * degrees);
+  return angle >= 118 && angle <= 120;
+}
+
+// A cone that is the end of a bore, and touches nothing else, has the angle of a drill, if it looks like that.
 void state_drilled(const Part& part, const Directions&, const Unknowns& unknowns, const Marks&, Statement& statement) {
   std::vector<std::vector<int>> touched(number_of(part));
   for (const Contact& contact : part.contacts)
@@ -205,7 +214,8 @@ void state_drilled(const Part& part, const Directions&, const Unknowns& unknowns
           contact.faces[static_cast<std::size_t>(1 - side)]);
   for (int face = 0; face < static_cast<int>(number_of(part)); ++face) {
     const std::vector<int>& others = touched[static_cast<std::size_t>(face)];
-    if (surface_of(part, face).kind != SurfaceKind::cone || others.empty()) continue;
+    const PartSurface& end = surface_of(part, face);
+    if (end.kind != SurfaceKind::cone || !has_angle_of_drill(end) || others.empty()) continue;
     const bool is_point = std::all_of(others.begin(), others.end(), [&](int other) {
       const PartSurface& bore = surface_of(part, other);
       return bore.kind == SurfaceKind::cylinder &&
@@ -320,12 +330,8 @@ void state_regular(const Part& part, const Directions&, const Unknowns& unknowns
   }
 }
 
-void state_equal(const Part&, const Directions&, const Unknowns& unknowns, const Marks& marks, Statement& statement) {
-  for (const std::vector<int>& faces : marks.equal)
-    for (std::size_t i = 1; i < faces.size(); ++i)
-      statement.rows.push_back(difference(unknowns.growth(faces[i], UnknownKind::radius),
-                                          unknowns.growth(faces.front(), UnknownKind::radius)));
-}
+// Which ones are equal, the dimension says (with_counts).
+void state_equal(const Part&, const Directions&, const Unknowns&, const Marks&, Statement&) {}
 
 constexpr const char *iso_sizes = "ISO 129-1", *iso_lines = "ISO 128-2";
 constexpr const char* asme = "ASME Y14.5";
@@ -334,13 +340,13 @@ constexpr std::array<Rule, rule_count> rules{{
     {"parallel", "lines that are drawn parallel", {nullptr, iso_sizes, asme}, state_parallel},
     {"perpendicular", "lines that are drawn at right angles", {nullptr, iso_sizes, asme}, state_perpendicular},
     {"in-line", "faces and centre lines that are drawn as one line", {nullptr, iso_sizes, asme}, state_in_line},
-    {"coaxial", "a common centre line", {nullptr, iso_lines, asme}, state_coaxial},
-    {"crossing", "centre lines that cross", {nullptr, iso_lines, asme}, state_crossing},
+    {"coaxial", "a common centre line", {nullptr, iso_lines, asme}, state_coaxial, true},
+    {"crossing", "centre lines that cross", {nullptr, iso_lines, asme}, state_crossing, true},
     {"same", "a round outline that something interrupts", {nullptr, iso_sizes, asme}, state_same},
     {"drilled", "the point of a blind hole", {nullptr, iso_sizes, asme}, state_drilled},
     {"tangent", "an outline that turns without a corner", {nullptr, iso_sizes, asme}, state_tangent},
-    {"symmetric", "a line of symmetry", {nullptr, iso_lines, asme}, state_symmetric},
-    {"on-circle", "a pitch circle, or axes about another one", {nullptr, iso_sizes, asme}, state_on_circle},
+    {"symmetric", "a line of symmetry", {nullptr, iso_lines, asme}, state_symmetric, true},
+    {"on-circle", "a pitch circle, or axes about another one", {nullptr, iso_sizes, asme}, state_on_circle, true},
     {"regular", "a hexagon with equal sides", {nullptr, iso_sizes, asme}, state_regular},
     {"equal", "a number of equal features, as 4×", {nullptr, iso_sizes, asme}, state_equal},
 }};
@@ -356,11 +362,19 @@ RuleSet rules_of(Standard standard) {
   return applied;
 }
 
+std::vector<Statement> with_counts(std::vector<Statement> dimensions, const RuleSet& applied) {
+  for (std::size_t i = 0; i < rule_count; ++i)
+    if (rules[i].state == state_equal && !applied[i])
+      for (Statement& one : dimensions)
+        if (one.is_by_count) one.rows.clear();
+  return dimensions;
+}
+
 std::vector<Statement> state_rules(const Part& part, const Directions& directions, const Unknowns& unknowns,
                                    const Marks& marks, const RuleSet& applied) {
   std::vector<Statement> statements;
   for (std::size_t i = 0; i < rule_count; ++i) {
-    if (!applied[i]) continue;
+    if (!applied[i] || (rules[i].is_by_centre_lines && !marks.has_centre_lines)) continue;
     statements.push_back({rules[i].name, {}});
     rules[i].state(part, directions, unknowns, marks, statements.back());
   }

@@ -46,7 +46,7 @@ struct Marks {
   std::vector<PitchCircle> circles{};
   std::vector<EvenAxes> even_axes{};
   std::vector<Hexagon> hexagons{};
-  std::vector<std::vector<int>> equal{};  ///< round faces of one radius, as "4×" says
+  bool has_centre_lines = true;  ///< without them, nothing shows where axes are
 };
 
 /// Whose rules count; `none` for a reader who applies none.
@@ -58,6 +58,7 @@ struct Rule {
   const char* mark;                   ///< what is on the sheet
   std::array<const char*, 3> clause;  ///< of each standard; null: it has no such rule
   void (*state)(const Part&, const Directions&, const Unknowns&, const Marks&, Statement&);
+  bool is_by_centre_lines = false;  ///< its mark is one, or stands on some
 };
 
 inline constexpr std::size_t rule_count = 12;
@@ -66,6 +67,9 @@ std::span<const Rule, rule_count> all_rules();
 /// Rules that readers apply, in the order of all_rules().
 using RuleSet = std::bitset<rule_count>;
 RuleSet rules_of(Standard standard);
+
+/// What dimensions say where readers apply these: of those by count, nothing without the rule for equal features.
+std::vector<Statement> with_counts(std::vector<Statement> dimensions, const RuleSet& applied);
 
 /// What some rules say of a part, one statement for each.
 std::vector<Statement> state_rules(const Part& part, const Directions& directions, const Unknowns& unknowns,

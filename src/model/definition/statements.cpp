@@ -78,10 +78,21 @@ Row motion_of(const Unknowns& unknowns, const Part& part, const std::vector<cons
   return row;
 }
 
+// An axis leads the place along as its plane moves.
+Row crossing_motion(const Unknowns& unknowns, const Part& part, const End& end, const Vec3& along) {
+  const Vec3 &axis = part.faces[static_cast<std::size_t>(end.faces[0])].surface.axis,
+             &normal = part.faces[static_cast<std::size_t>(end.faces[1])].surface.axis;
+  const double lead = glm::dot(axis, along) / glm::dot(axis, normal);
+  Row row = unknowns.axis_motion(end.faces[0], end.at, along - lead * normal);
+  add(row, unknowns.surface_motion(end.faces[1], end.at, normal), lead);
+  return row;
+}
+
 }  // namespace
 
 // The fewest faces that hold the place along the direction, and of these the first ones.
 Row end_motion(const Unknowns& unknowns, const Part& part, const End& end, const Vec3& along) {
+  if (end.is_axis && end.faces.size() > 1) return crossing_motion(unknowns, part, end, along);
   if (end.is_axis) return unknowns.axis_motion(end.faces.front(), end.at, along);
   const std::vector<Hold> holds = holds_of(part, end);
   const std::size_t count = holds.size();

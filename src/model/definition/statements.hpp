@@ -16,12 +16,14 @@ namespace epura::definition {
 struct Statement {
   std::string name;  ///< by which it is told of: "52 along x"
   std::vector<Row> rows;
-  bool is_certain = true;  ///< otherwise it may be that the sheet says this
-  double more = 0;         ///< what its text says beyond what the part has, as each row counts it
-  double slack = 0;        ///< how far that may be off, by the last digit of the text
+  bool is_certain = true;    ///< otherwise it may be that the sheet says this
+  double more = 0;           ///< what its text says beyond what the part has, as each row counts it
+  double slack = 0;          ///< how far that may be off, by the last digit of the text
+  bool is_by_count = false;  ///< said of equal things beside the one that is measured, as by "4×"
 };
 
-/// Where a length begins or ends: on faces, all of which go through the place, or on the axis or at the centre of one.
+/// Where a length begins or ends: on faces, all of which go through the place, or on the axis or at the centre of one;
+/// of two, where the axis of the first meets the plane of the second.
 struct End {
   Vec3 at;
   std::vector<int> faces;

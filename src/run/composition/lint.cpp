@@ -115,6 +115,9 @@ std::vector<sheet::DimensionsInView> anchored_dimensions(const world::World& wor
     const std::optional<cut::CuttingSurface>& turned = sheet.plans[i].options.turned;
     views.push_back({*sheet.descriptions[i].name, seen[i].projection,
                      sheet::find_anchors(world, turned ? annotations[i].unturned : annotations[i].dimensions)});
+    views.back().has_centre_lines = sheet.plans[i].options.centre_lines;
+    for (const sheet::HoleTable& table : annotations[i].tables)
+      for (const sheet::HoleRow& row : table.rows) views.back().sizes_in_tables[row.label] = row.size;
     if (turned) views.back().turned_about = turned->axis();
   }
   return views;

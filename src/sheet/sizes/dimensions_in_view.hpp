@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,6 +19,8 @@ struct DimensionsInView {
   projection::Projection projection;
   std::vector<AnchoredDimension> dimensions;  ///< in the world, where an aligned section turns nothing
   std::optional<Vec3> turned_about{};  ///< of an aligned section: the direction in which lengths stay as they are
+  bool has_centre_lines = true;
+  std::map<std::string, std::string> sizes_in_tables{};  ///< of holes, by label: "A1", "⌀8 ↧20"
 };
 
 /// Whether is_wanted(dimension) holds for one in any view.

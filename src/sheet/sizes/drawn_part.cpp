@@ -266,23 +266,41 @@ void add_middles(DrawnPart& drawn, const ParallelPlanes& planes, const Vec3& poi
   check(!middles.empty(), "a middle is between faces");
 }
 
-// Centre lines from which an angle is measured, where no face has their directions.
+// A centre line across a direction, where no plane has it.
+void add_centre_line(DrawnPart& drawn, const Vec3& at, const Vec3& across) {
+  const bool is_known =
+      std::any_of(drawn.part.faces.begin(), drawn.part.faces.end(), [&](const definition::Face& face) {
+        return face.surface.kind == SurfaceKind::plane && features::are_parallel(face.surface.axis, across);
+      });
+  if (is_known) return;
+  drawn.part.faces.push_back({PartSurface{.kind = SurfaceKind::plane, .origin = at, .axis = across}, at});
+}
+
+// Those from which an angle is measured.
 void add_centre_lines(DrawnPart& drawn, std::span<const Vec3> points) {
   for (const Vec3& end : points.subspan(1)) {
     const Vec3 leg = glm::normalize(end - points[0]);
-    const int axis = features::axis_along(leg);
-    if (axis < 0) continue;
+    if (features::axis_along(leg) < 0) continue;
     const Vec3 sight = glm::normalize(glm::cross(points[1] - points[0], points[2] - points[0]));
-    for (const Vec3& normal : {leg, glm::cross(sight, leg)}) {
-      const bool is_known =
-          std::any_of(drawn.part.faces.begin(), drawn.part.faces.end(), [&](const definition::Face& face) {
-            return face.surface.kind == SurfaceKind::plane && features::are_parallel(face.surface.axis, normal);
-          });
-      if (is_known) continue;
-      const PartSurface line{.kind = SurfaceKind::plane, .origin = points[0], .axis = normal};
-      drawn.part.faces.push_back({line, points[0]});
-    }
+    for (const Vec3& across : {leg, glm::cross(sight, leg)}) add_centre_line(drawn, points[0], across);
   }
+}
+
+// Those from and along which a length is measured between places that are not in line with it, where nothing of the
+// part has a direction by which it could turn: as those of one round thing beside another.
+void add_centre_lines(DrawnPart& drawn, std::span<const Vec3> points, const Vec3& along, const Vec3& sight) {
+  const Vec3 across = glm::cross(sight, along);
+  const auto is_aside = [&](const Vec3& point) {
+    return std::abs(glm::dot(point - points[0], across)) > slack_of(drawn.part);
+  };
+  const auto has_direction = [&](const definition::Face& face) {
+    const bool any = face.surface.kind == SurfaceKind::plane || surfaces::has_axis(face.surface.kind);
+    return any &&
+           (features::are_parallel(face.surface.axis, along) || features::are_parallel(face.surface.axis, across));
+  };
+  const auto of_model = std::span(drawn.part.faces).first(drawn.faces);
+  if (std::ranges::none_of(points, is_aside) || std::ranges::any_of(of_model, has_direction)) return;
+  for (const Vec3& normal : {along, across}) add_centre_line(drawn, points[0], normal);
 }
 
 // Three pairs, of each the middle goes through one axis.
@@ -359,6 +377,7 @@ DrawnPart with_drawn_lines(Part part, std::span<const DimensionsInView> views,
                            std::span<const features::Extent, 3> extents) {
   const std::size_t faces = part.faces.size();
   DrawnPart drawn{std::move(part), faces, {}};
+  drawn.marks.has_centre_lines = std::ranges::any_of(views, &DimensionsInView::has_centre_lines);
   const ParallelPlanes planes(drawn);
   std::vector<WorldCircle> seen;
   for (const DimensionsInView& view : views)
@@ -382,8 +401,11 @@ DrawnPart with_drawn_lines(Part part, std::span<const DimensionsInView> views,
   for (const DimensionsInView& view : views)
     for (const AnchoredDimension& dimension : view.dimensions) {
       if (dimension.type == DimensionType::angular) add_centre_lines(drawn, dimension.points);
-      if (const std::optional<Vec3> along = measured_along(dimension, view))
+      if (const std::optional<Vec3> along = measured_along(dimension, view)) {
         for (const Vec3& point : dimension.points) add_middles(drawn, planes, point, *along);
+        if (dimension.type == DimensionType::linear)
+          add_centre_lines(drawn, dimension.points, *along, view.projection.n);
+      }
     }
   check(drawn.part.faces.size() >= faces + drawn.marks.circles.size() + drawn.marks.symmetries.size(),
         "each circle and plane of symmetry has a face of its own");

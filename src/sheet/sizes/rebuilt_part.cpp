@@ -124,7 +124,7 @@ std::optional<RebuiltPart> rebuild_part(std::span<const DimensionsInView> views,
   const auto state_all = [&](const Unknowns& changed) {
     std::vector<definition::Statement> all = reading.rules(rules, changed);
     FaceStatements now = state_dimensions(views, *drawn, reading.directions, changed, notation);
-    std::move(now.statements.begin(), now.statements.end(), std::back_inserter(all));
+    std::ranges::move(definition::with_counts(std::move(now.statements), rules), std::back_inserter(all));
     return all;
   };
   const Corners corners = corners_of(world);

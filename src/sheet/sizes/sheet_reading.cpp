@@ -22,7 +22,8 @@ std::vector<definition::Statement> SheetReading::rules(const definition::RuleSet
 }
 
 definition::Account SheetReading::account(const definition::RuleSet& applied) const {
-  return definition::take_account(drawn.part, unknowns, rules(applied, unknowns), said.statements);
+  return definition::take_account(drawn.part, unknowns, rules(applied, unknowns),
+                                  definition::with_counts(said.statements, applied));
 }
 
 }  // namespace epura::sheet

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include "definition/rank.hpp"
 #include "made_parts.hpp"
@@ -103,6 +105,17 @@ TEST(Definition, The_floor_of_a_blind_bore_adds_a_depth) {
             std::vector<std::string>{"plane face of 50 mm² at (20, 15, 4): can move along z; add a distance along z"});
 }
 
+// What is drilled ends at 118 degrees, drawn as 120; any other angle is a size.
+TEST(Definition, The_point_of_a_blind_bore_has_a_size_if_it_is_not_that_of_a_drill) {
+  for (const double angle : {60.0, 90.0, 117.0, 118.0, 120.0, 121.0, 140.0}) {
+    const double slope = std::tan(angle / 360 * std::numbers::pi);
+    Part part = with(box({60, 40, 20}), {cylinder({20, 15, 14}, z, 4, 300), cone({20, 15, 7}, z, 2, slope, 60)});
+    for (const auto& faces : {std::array{6, int{top}}, std::array{6, 7}})
+      part.contacts.push_back({faces, {{24, 15, faces[1] == 7 ? 8 : 20}, {16, 15, faces[1] == 7 ? 8 : 20}}});
+    EXPECT_EQ(MadeSheet(part).needed(), 3 + 3 + 1 + (angle >= 118 && angle <= 120 ? 0 : 1)) << angle;
+  }
+}
+
 TEST(Definition, A_pocket_that_nothing_places_slides_as_a_whole) {
   MadeSheet sheet(
       with(box({60, 40, 10}), {plane({10, 15, 7}, x, 60), plane({30, 15, 7}, -x, 60), plane({20, 10, 7}, y, 120),
@@ -124,6 +137,14 @@ TEST(Definition, A_shaft_has_diameters_and_lengths) {
   expect_moves_with_part(sheet);
 }
 
+// Two places more for each axis that is not shown to be that of the others.
+TEST(Definition, A_shaft_without_a_centre_line_is_in_no_line) {
+  Marks marks;
+  marks.has_centre_lines = false;
+  EXPECT_EQ(MadeSheet(shaft(), marks).needed(), 6 + 2 * 2);
+  EXPECT_EQ(MadeSheet(box({60, 40, 10}), marks).needed(), 3);
+}
+
 TEST(Definition, A_pitch_circle_gives_places_of_all_its_holes) {
   Part plate = with(box({100, 80, 10}), {cylinder({50, 40, 5}, z, 20, 0)});
   PitchCircle circle{6, {}};
@@ -132,16 +153,16 @@ TEST(Definition, A_pitch_circle_gives_places_of_all_its_holes) {
     circle.axes.push_back(static_cast<int>(plate.faces.size()));
     plate.faces.push_back(cylinder({50 + 20 * std::cos(at), 40 + 20 * std::sin(at), 5}, z, 3, 180));
   }
-  const Marks marks{.circles = {circle}, .equal = {circle.axes}};
+  const Marks marks{.circles = {circle}};
   MadeSheet sheet(plate, marks);
-  // Of the circle: diameter, two places, the direction of the first hole; of the holes: one diameter.
-  EXPECT_EQ(sheet.needed(), 3 + 4 + 1);
+  // Of the circle: diameter, two places, the direction of the first hole; of the holes: diameters.
+  EXPECT_EQ(sheet.needed(), 3 + 4 + 3);
   sheet.distance(left, right, left).distance(front, back, front).distance(bottom, top, bottom);
-  sheet.distance(left, 6, left).distance(front, 6, front).size(6).size(7);
+  sheet.distance(left, 6, left).distance(front, 6, front).size(6).size(7).size(8).size(9);
   ASSERT_EQ(sheet.account().motions.size(), 1U);
   EXPECT_EQ(sheet.account().motions[0].faces, circle.axes);
   expect_moves_with_part(sheet);
-  EXPECT_EQ(MadeSheet(plate).needed(), 3 + 3 + 3 * 3) << "without the circle and 3×";
+  EXPECT_EQ(MadeSheet(plate).needed(), 3 + 3 + 3 * 3) << "without the circle";
 }
 
 TEST(Definition, Axes_that_are_even_about_another_turn_as_one) {
