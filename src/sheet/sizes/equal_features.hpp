@@ -7,9 +7,11 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <system_error>
 #include <vector>
 
+#include "base/error.hpp"
 #include "sheet/notation.hpp"
 
 namespace epura::sheet {
@@ -40,12 +42,33 @@ inline bool are_written_alike(double a, double b, const Notation& notation) {
 /// The beginning of the note of several features; empty for one.
 inline std::string times(std::size_t count) { return count > 1 ? std::to_string(count) + "× " : ""; }
 
-/// The number before "×" at the beginning of a text; 1 if there is none.
-inline int repeats_of(const std::string& text) {
-  int count = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
-  const bool is_count = error == std::errc() && text.compare(std::size_t(end - text.data()), 2, "×") == 0;
-  return is_count ? std::max(count, 1) : 1;
+/// The count at the beginning of a text, "4×", or "4x" as ASME Y14.5 has it.
+struct Count {
+  int number = 1;       ///< 1 if there is none
+  std::size_t end = 0;  ///< where the text goes on
+};
+
+/// Neither "3×45°", "3 × 45°" nor "20x30" begins with a count; "2× 80°" does.
+inline Count count_of(std::string_view text) {
+  const auto is_digit = [&text](std::size_t i) { return i < text.size() && text[i] >= '0' && text[i] <= '9'; };
+  int number = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  auto sign = static_cast<std::size_t>(end - text.data());
+  const bool is_spaced = text.substr(std::min(sign, text.size())).starts_with(" ");
+  while (sign < text.size() && text[sign] == ' ') ++sign;
+  if (error != std::errc() || sign == text.size()) return {};
+  const bool is_times = text.substr(sign).starts_with("×"), is_letter = text[sign] == 'x' || text[sign] == 'X';
+  const std::size_t behind = sign + (is_times ? std::string_view("×").size() : 1);
+  if ((!is_times && !is_letter) || (is_letter && is_digit(behind))) return {};
+  std::size_t from = behind;
+  while (is_spaced && from < text.size() && text[from] == ' ') ++from;
+  check(from > sign, "what is counted is behind the sign");
+  std::size_t digits = from;
+  while (is_digit(digits) || (digits > from && text.substr(digits).starts_with("."))) ++digits;
+  if (digits > from && text.substr(digits).starts_with("°")) return {};
+  return {std::max(number, 1), behind};
 }
+
+inline int repeats_of(std::string_view text) { return count_of(text).number; }
 
 }  // namespace epura::sheet

@@ -12,11 +12,13 @@
 #include "base/angle.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "definition/limits.hpp"
 #include "features/tolerances.hpp"
 #include "sizes/equal_features.hpp"
 #include "sizes/feature_table.hpp"
 #include "sizes/measured_faces.hpp"
+#include "sizes/noted_faces.hpp"
 #include "sizes/place_joins.hpp"
 #include "sizes/stated_values.hpp"
 #include "surfaces/least_squares.hpp"
@@ -68,6 +70,7 @@ class Reader {
         unknowns_(unknowns),
         notation_(notation),
         measured_(drawn, directions, unknowns, notation),
+        noted_(drawn, unknowns, measured_),
         slack_(slack_of(drawn.part)) {}
 
   FaceStatements read(std::span<const DimensionsInView> views) {
@@ -88,6 +91,10 @@ class Reader {
 
   void read_one(const AnchoredDimension& dimension, const DimensionsInView& view, const DimensionPlace& place) {
     const std::size_t before = found_.statements.size();
+    if (!gives_size(dimension, view, notation_)) {
+      found_.unread.push_back(place);
+      return;
+    }
     switch (dimension.type) {
       case DimensionType::overall:
         read_overall(dimension);
@@ -101,7 +108,8 @@ class Reader {
         break;
       case DimensionType::radius:
       case DimensionType::diameter:
-        read_circle(dimension);
+        read_circle(dimension, place);
+        if (!dimension.circles.empty()) read_note(with_row(dimension, view), place);
         break;
       default:
         break;
@@ -111,7 +119,7 @@ class Reader {
       found_.unread.push_back(place);
     } else if (const std::optional<StatedSize> size = stated_size(dimension, view, notation_)) {
       if (std::abs(size->stated - size->measured) > size->slack * (1 + definition::same_size))
-        found_.untrue.push_back({place, size->measured / size->unit});
+        found_.untrue.push_back({place, format_rounded(size->measured / size->unit, 6)});
       state_text(found_.statements[before], *size, dimension, view);
     }
   }
@@ -133,12 +141,18 @@ class Reader {
     if (!rows.empty()) found_.statements.push_back({"", std::move(rows), is_certain});
   }
 
+  void say_by_count(std::vector<Row> rows, bool is_certain) {
+    const std::size_t before = found_.statements.size();
+    say(std::move(rows), is_certain);
+    for (std::size_t i = before; i < found_.statements.size(); ++i) found_.statements[i].is_by_count = true;
+  }
+
   // Of "3×": for certain if there are no more than three things that it can mean.
   void say_one_of(std::vector<Candidate> candidates, int repeats) {
     const bool is_certain = rank_of(candidates, all_faces()) <= repeats;
     std::vector<Row> rows;
     for (Candidate& candidate : candidates) rows.push_back(definition::tidy(std::move(candidate.row)));
-    say(std::move(rows), is_certain);
+    say_by_count(std::move(rows), is_certain);
   }
 
   void read_overall(const AnchoredDimension& dimension) {
@@ -219,7 +233,7 @@ class Reader {
       add_turns(rows, face);
       ++sloped;
     }
-    say(std::move(rows), is_chamfer && sloped <= repeats_of(dimension.text));
+    say_by_count(std::move(rows), is_chamfer && sloped <= repeats_of(dimension.text));
     if (is_chamfer) return;
     say_of_equal_widths(dimension, value);
     say_of_equal_distances(dimension, value);
@@ -270,10 +284,17 @@ class Reader {
     check(places.size() == 2 * widths.size(), "each width has two sides");
     if (widths.size() < 2) return;
     say_one_of(std::move(widths), repeats_of(dimension.text));
-    say(std::move(places), false);
+    say_by_count(std::move(places), false);
   }
 
-  // What a table says of a hole beside its place: sizes and depths around its axis. Its text is not read.
+  // A label stands for what its row in a table says.
+  static AnchoredDimension with_row(AnchoredDimension dimension, const DimensionsInView& view) {
+    const auto row = view.sizes_in_tables.find(dimension.text);
+    if (dimension.is_label && row != view.sizes_in_tables.end()) dimension.text = row->second;
+    return dimension;
+  }
+
+  // What a table may say of a hole beside its place: sizes and depths around its axis.
   void say_by_table(const WorldCircle& circle) {
     std::vector<Row> rows;
     for (int face = 0; face < static_cast<int>(count_); ++face)
@@ -309,15 +330,16 @@ class Reader {
     }
     if (const int repeats = repeats_of(dimension.text); repeats > 1) {
       const double cosine = glm::dot(glm::normalize(at[1] - at[0]), glm::normalize(at[2] - at[0]));
-      say_one_of(equal_angles(std::acos(cosine)), repeats);
+      say_one_of(equal_angles(std::acos(cosine), sight, repeats), repeats);
       say_one_of(equal_angles_about(dimension, sight, std::acos(cosine)), repeats);
     }
   }
 
-  // Between directions of faces, of which those along the axes of the world are square to each other; of cones.
-  [[nodiscard]] std::vector<Candidate> equal_angles(double angle) const {
+  // Between directions of faces, of which those along the axes of the world are square to each other; of cones. Those
+  // that are seen in their true size with the text, if that is how many it means.
+  [[nodiscard]] std::vector<Candidate> equal_angles(double angle, const Vec3& sight, int repeats) const {
     const auto is_it = [&](double one) { return std::abs(one - angle) <= size_agrees; };
-    std::vector<Candidate> found;
+    std::vector<Candidate> found, seen;
     for (std::size_t i = 0; i < directions_.directions.size(); ++i)
       for (std::size_t j = 0; j < i; ++j) {
         const Vec3 &a = directions_.directions[i], &b = directions_.directions[j];
@@ -329,8 +351,9 @@ class Reader {
         const auto body = [&](std::size_t k) {
           return features::axis_along(directions_.directions[k]) >= 0 ? -1 : directions_.first_face[k];
         };
-        if (body(i) != body(j))
-          found.push_back({std::move(row), std::max(body(i), body(j)), std::min(body(i), body(j))});
+        if (body(i) == body(j)) continue;
+        found.push_back({std::move(row), std::max(body(i), body(j)), std::min(body(i), body(j))});
+        if (features::are_parallel(about, sight)) seen.push_back(found.back());
       }
     for (int face = 0; face < all_faces(); ++face) {
       const double half = std::atan(std::abs(surface(face).slope));
@@ -339,7 +362,7 @@ class Reader {
     }
     check(std::all_of(found.begin(), found.end(), [](const Candidate& one) { return one.one != one.other; }),
           "an angle is between two");
-    return found;
+    return rank_of(seen, all_faces()) == repeats ? seen : found;
   }
 
   // Between axes on one circle, and from these to centre lines.
@@ -377,14 +400,16 @@ class Reader {
     return found;
   }
 
-  void read_circle(const AnchoredDimension& dimension) {
+  void read_circle(const AnchoredDimension& dimension, const DimensionPlace& place) {
     const int repeats = repeats_of(dimension.text);
     std::vector<Row> own, equal;
     std::vector<int> lines;  // the first faces of axes with that diameter
+    const std::vector<WorldCircle> others = circles_left_out(dimension);
     for (const WorldCircle& circle : dimension.circles)
       for (int face = 0; face < all_faces(); ++face) {
         Row row = measured_.size(face, circle.radius);
-        if (row.empty()) continue;
+        const auto is_around = [&](const WorldCircle& one) { return measured_.is_around(face, one); };
+        if (row.empty() || std::ranges::any_of(others, is_around)) continue;
         // A dimension of a radius gives those of all fillets that are equal on paper.
         (measured_.is_around(face, circle) ? own : equal).push_back(std::move(row));
         if (!features::are_parallel(surface(face).axis, circle.axis)) continue;
@@ -392,6 +417,7 @@ class Reader {
             std::find(lines.begin(), lines.end(), line) == lines.end())
           lines.push_back(line);
       }
+    const std::size_t faces = own.size() + equal.size();
     for (const WorldCircle& circle : dimension.circles) {
       Row rim = measured_.rim(circle);
       for (definition::Term& term : rim) term.factor /= 2;  // as that of a radius
@@ -404,18 +430,20 @@ class Reader {
     if (dimension.is_label)
       for (const WorldCircle& circle : dimension.circles) say_by_table(circle);
     const bool is_radius = dimension.type == DimensionType::radius;
-    if (repeats > 1) say_equal_rims(dimension.circles.front(), repeats);
-    if (is_radius || repeats > 1) say(std::move(equal), is_radius || static_cast<int>(lines.size()) <= repeats);
-    if (!dimension.circles.empty()) read_note(dimension);
+    const std::size_t rims = repeats > 1 ? say_equal_rims(dimension.circles.front(), repeats) : 0;
+    if (repeats > 1 && faces + rims < static_cast<std::size_t>(repeats))
+      found_.untrue.push_back({place, std::to_string(faces + rims) + " of these"});
+    if (is_radius || repeats > 1) say_by_count(std::move(equal), static_cast<int>(lines.size()) <= repeats);
   }
 
-  // Of cones along parallel axes, for "3×".
-  void say_equal_rims(const WorldCircle& circle, int repeats) {
+  // Of cones along parallel axes, for "3×". How many there are.
+  std::size_t say_equal_rims(const WorldCircle& circle, int repeats) {
     std::vector<Row> rows;
     for (const WorldCircle& rim : measured_.rims_of_cones(circle.radius))
       if (features::are_parallel(rim.axis, circle.axis)) rows.push_back(measured_.rim(rim));
-    const bool is_certain = static_cast<int>(rows.size()) <= repeats;
-    say(std::move(rows), is_certain);
+    const std::size_t count = rows.size();
+    say_by_count(std::move(rows), static_cast<int>(count) <= repeats);
+    return count;
   }
 
   // A table gives places from one end of the models, where a plane or the axis of the whole is.
@@ -431,146 +459,48 @@ class Reader {
   }
 
   // What stands behind a diameter: depths, counterbores, countersinks and threads of faces around the axis, and for
-  // "4×" around all axes with the same circle. Nothing else than its size tells which face a number means.
-  void read_note(const AnchoredDimension& dimension) {
+  // "4×" around all axes with the same circle. Nothing else than its size tells which face a number means; of circles
+  // of one diameter, a note means those that have all its numbers.
+  void read_note(const AnchoredDimension& dimension, const DimensionPlace& place) {
     const std::vector<NotedNumber> numbers = noted_numbers(dimension.text, notation_);
-    const std::vector<WorldCircle> circles = equal_circles(dimension);
+    const bool is_thread = gives_thread(dimension.text);
+    std::vector<WorldCircle> circles = noted_.equal_circles(dimension);
+    std::vector<WorldCircle> meant = noted_.with_all(circles, numbers);
+    for (std::size_t i = 0; i < numbers.size() && meant.empty() && !is_thread; ++i)
+      if (const bool is_head = i == 0 && numbers[i].kind == NumberKind::diameter;
+          !is_head && numbers[i].kind != NumberKind::any && noted_.with_all(circles, {&numbers[i], 1}).empty())
+        found_.untrue.push_back({place, "nothing of " + written(numbers[i]) + " there"});
+    check(meant.size() <= circles.size(), "a note means some of the circles of its size");
+    if (!meant.empty()) circles = std::move(meant);
     const bool are_all = static_cast<int>(circles.size()) <= repeats_of(dimension.text);
     for (const WorldCircle& one : circles) {
       for (const NotedNumber& number : numbers) {
-        std::vector<Row> rows;
-        if (number.kind == NumberKind::any || number.kind == NumberKind::depth) add_depths(rows, one, number.value);
-        if (number.kind == NumberKind::any || number.kind == NumberKind::diameter)
-          add_diameters(rows, one, number.value);
-        if (number.kind == NumberKind::any || number.kind == NumberKind::degrees) add_angles(rows, one, number.value);
-        const bool is_only = rows.size() == 1;
-        say(std::move(rows), are_all && is_only);
+        std::vector<Row> rows = noted_.rows_of(number, one);
+        const bool is_certain = are_all && rows.size() == 1, is_own = &one == &circles.front();
+        is_own ? say(std::move(rows), is_certain) : say_by_count(std::move(rows), is_certain);
       }
-      std::vector<Row> rows;
-      if (dimension.text.find('M') != std::string::npos || dimension.text.find('G') != std::string::npos)
-        add_thread(rows, one);
-      say(std::move(rows), false);
+      if (is_thread) say(noted_.thread(one), false);
     }
   }
 
-  // The circle of a dimension, and for "4×" those about other axes: of the same size, or if there are none, of any.
-  [[nodiscard]] std::vector<WorldCircle> equal_circles(const AnchoredDimension& dimension) const {
-    const WorldCircle& circle = dimension.circles.front();
-    std::vector<WorldCircle> equal{circle}, any{circle};
-    for (int face = 0; face < static_cast<int>(count_) && repeats_of(dimension.text) > 1; ++face) {
-      const PartSurface& one = surface(face);
-      if (one.kind != SurfaceKind::cylinder) continue;
-      const auto is_new = [&](const std::vector<WorldCircle>& list) {
-        return std::none_of(list.begin(), list.end(),
-                            [&](const WorldCircle& known) { return measured_.is_around(face, known); });
-      };
-      const WorldCircle own{one.origin, one.axis, one.radius, {}, true};
-      if (is_new(equal) && measured_.are_alike(one.radius, circle.radius) &&
-          features::are_parallel(one.axis, circle.axis))
-        equal.push_back(own);
-      if (is_new(any)) any.push_back(own);
-    }
-    check(any.size() >= equal.size(), "those of the same size are some of all");
-    return equal.size() > 1 ? equal : any;
+  // Those of the same size that a note cannot mean, by what else it says.
+  [[nodiscard]] std::vector<WorldCircle> circles_left_out(const AnchoredDimension& dimension) const {
+    if (dimension.type != DimensionType::diameter || repeats_of(dimension.text) == 1) return {};
+    std::vector<WorldCircle> circles = noted_.equal_circles(dimension);
+    const std::vector<WorldCircle> meant = noted_.with_all(circles, noted_numbers(dimension.text, notation_));
+    if (meant.empty()) return {};
+    std::erase_if(circles, [&](const WorldCircle& one) {
+      return std::ranges::any_of(meant, [&](const WorldCircle& other) {
+        return features::are_parallel(one.axis, other.axis) &&
+               features::distance_from_line(one.centre, other.centre, other.axis) <= slack_;
+      });
+    });
+    return circles;
   }
 
-  void add_depths(std::vector<Row>& rows, const WorldCircle& circle, double depth) const {
-    const std::vector<Vec3> rims = measured_.rims_around(circle);
-    std::vector<double> done;
-    for (std::size_t i = 0; i < rims.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) {
-        const double off = std::abs(glm::dot(rims[i] - rims[j], circle.axis)),
-                     at = glm::dot(rims[i] + rims[j], circle.axis);
-        const bool is_done =
-            std::any_of(done.begin(), done.end(), [&](double one) { return std::abs(one - at) <= slack_; });
-        if (!measured_.are_alike(off, depth) || is_done) continue;
-        if (Row row = measured_.length(rims[j], rims[i], circle.axis); !row.empty()) rows.push_back(std::move(row));
-        done.push_back(at);
-      }
-    add_depths_below_round_faces(rows, circle, depth);
-  }
-
-  // Of radial holes, below the place where their axis meets a round face.
-  void add_depths_below_round_faces(std::vector<Row>& rows, const WorldCircle& circle, double depth) const {
-    std::vector<double> done;
-    for (const Vec3& rim : measured_.rims_around(circle)) {
-      const double at = glm::dot(rim - circle.centre, circle.axis);
-      if (std::any_of(done.begin(), done.end(), [&](double one) { return std::abs(one - at) <= slack_; })) continue;
-      done.push_back(at);
-      const Vec3 floor = circle.centre + at * circle.axis;
-      for (const double up : {-1, 1}) {
-        const Vec3 mouth = floor + up * depth * circle.axis;
-        if (!is_on_round_face(mouth, circle.axis)) continue;
-        Row row = measured_.length(floor, mouth, circle.axis);
-        if (row.empty()) row = measured_.length(rim, mouth, circle.axis);
-        if (!row.empty()) rows.push_back(std::move(row));
-      }
-    }
-  }
-
-  // Within its borders; a surface goes on beyond them.
-  [[nodiscard]] bool reaches(int face, const Vec3& place) const {
-    Box box;
-    for (const definition::Contact& contact : part_.contacts)
-      if (contact.faces[0] == face || contact.faces[1] == face)
-        for (const Vec3& point : contact.points) box.add(point);
-    const Vec3 slack(definition::good_base * part_.size);
-    return glm::all(glm::greaterThanEqual(place, box.min - slack)) &&
-           glm::all(glm::lessThanEqual(place, box.max + slack));
-  }
-
-  // Whether a round face is perpendicular to a direction at a place.
-  [[nodiscard]] bool is_on_round_face(const Vec3& place, const Vec3& along) const {
-    for (int face = 0; face < static_cast<int>(count_); ++face) {
-      if (!world::is_round(surface(face).kind) || !reaches(face, place)) continue;
-      const surfaces::Nearness near = surfaces::nearness_of(surface(face), place);
-      if (std::abs(near.distance) <= slack_ && near.normal != Vec3(0) && features::are_parallel(near.normal, along))
-        return true;
-    }
-    return false;
-  }
-
-  // Of round faces, and of the ends of cones.
-  void add_diameters(std::vector<Row>& rows, const WorldCircle& circle, double diameter) const {
-    std::vector<double> done;  // places of ends along the axis
-    for (int face = 0; face < static_cast<int>(count_); ++face)
-      if (measured_.is_around(face, circle))
-        if (Row row = measured_.size(face, diameter / 2); !row.empty()) rows.push_back(std::move(row));
-    for (const definition::Contact& contact : part_.contacts) {
-      if (std::none_of(contact.faces.begin(), contact.faces.end(), [&](int face) {
-            return surface(face).kind == SurfaceKind::cone && measured_.is_around(face, circle);
-          }))
-        continue;
-      const Vec3& rim = contact.points.front();
-      const double at = glm::dot(rim - circle.centre, circle.axis);
-      const bool is_done =
-          std::any_of(done.begin(), done.end(), [&](double one) { return std::abs(one - at) <= slack_; });
-      if (is_done || !measured_.are_alike(2 * features::distance_from_line(rim, circle.centre, circle.axis), diameter))
-        continue;
-      rows.push_back(measured_.rim({circle.centre + at * circle.axis, circle.axis, diameter / 2, {}, true}));
-      done.push_back(at);
-    }
-    std::erase_if(rows, [](const Row& row) { return row.empty(); });
-    check(done.size() <= part_.contacts.size(), "an end of a cone counts once");
-  }
-
-  // Of cones, between opposite sides or between a side and the axis.
-  void add_angles(std::vector<Row>& rows, const WorldCircle& circle, double angle) const {
-    for (int face = 0; face < static_cast<int>(count_); ++face) {
-      if (surface(face).kind != SurfaceKind::cone || !measured_.is_around(face, circle)) continue;
-      const double half = std::atan(std::abs(surface(face).slope)) * degrees;
-      if (measured_.are_alike(2 * half, angle) || measured_.are_alike(half, angle))
-        rows.push_back(unknowns_.growth(face, UnknownKind::angle));
-    }
-  }
-
-  // A standard thread gives the hole that is drilled for it, and its point.
-  void add_thread(std::vector<Row>& rows, const WorldCircle& circle) const {
-    constexpr double core = 0.7;  // of the diameter, at least
-    for (int face = 0; face < static_cast<int>(count_); ++face)
-      if (const PartSurface& one = surface(face);
-          measured_.is_around(face, circle) && one.radius >= core * circle.radius)
-        rows.push_back(unknowns_.growth(face, UnknownKind::radius));
+  [[nodiscard]] std::string written(const NotedNumber& number) const {
+    if (number.kind == NumberKind::degrees) return angle_text(number.value, notation_);
+    return (number.kind == NumberKind::depth ? "↧" : "⌀") + length_text(number.value, notation_);
   }
 
   const definition::Part& part_;
@@ -579,6 +509,7 @@ class Reader {
   const definition::Unknowns& unknowns_;
   const Notation& notation_;
   MeasuredFaces measured_;
+  NotedFaces noted_;
   double slack_;
   FaceStatements found_;
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "definition/statements.hpp"
@@ -12,10 +13,10 @@
 
 namespace epura::sheet {
 
-/// A text that states another value than the part has.
+/// A text that states what the part has not.
 struct UntrueText {
   DimensionPlace place;
-  double measured;
+  std::string has;  ///< the part, there: "60", "3 of these"
 };
 
 struct FaceStatements {

@@ -33,6 +33,22 @@ std::string place_in(std::span<const DimensionsInView> views, const definition::
   return view == views.end() ? "" : " in view '" + view->view + "'";
 }
 
+// What shows where axes are, if it is not drawn.
+std::string or_centre_lines(const DrawnPart& drawn, const definition::Words& words) {
+  const surfaces::PartSurface& surface = drawn.part.faces[static_cast<std::size_t>(words.face)].surface;
+  return drawn.marks.has_centre_lines || !surfaces::has_axis(surface.kind) ? "" : ", or centre lines";
+}
+
+// "faces 3, 5 and 8"
+std::string named_faces(std::vector<int> numbers) {
+  constexpr std::size_t most = 12;
+  std::sort(numbers.begin(), numbers.end());
+  std::string names = numbers.size() == 1 ? "face " : "faces ";
+  for (std::size_t i = 0; i < std::min(most, numbers.size()); ++i)
+    names += (i == 0 ? "" : i + 1 < numbers.size() ? ", " : " and ") + std::to_string(numbers[i]);
+  return names + (numbers.size() > most ? " and " + std::to_string(numbers.size() - most) + " more" : "");
+}
+
 // Of dimensions all of whose readings are certain, and follow from others; with these, each once.
 std::vector<std::string> repeated_in(const Account& account, const FaceStatements& said, const DimensionNames& names) {
   check(account.follows.size() == said.of.size(), "each statement follows from others or not");
@@ -88,18 +104,22 @@ FreeFaces find_free_faces(std::span<const DimensionsInView> views, const world::
   const Account account = reading.account(rules);
   const DimensionNames names(views, notation);
   const auto of_model = account.states.begin() + static_cast<std::ptrdiff_t>(drawn.faces);
-  const auto uncertain = std::count(account.states.begin(), of_model, FaceState::uncertain);
   const auto free = std::count(account.states.begin(), of_model, FaceState::free);
   for (std::size_t face = 0; face < drawn.faces; ++face)
     found.held.push_back(said.unread.empty() && account.states[face] == FaceState::fixed ? 1 : 0);
   const auto length = [&](double value) { return length_text(value, notation); };
   found.numbers = numbers_of_faces(world);
+  std::vector<int> doubted;
+  for (std::size_t face = 0; face < drawn.faces; ++face)
+    if (account.states[face] == FaceState::uncertain) doubted.push_back(found.numbers[face]);
+  const auto uncertain = static_cast<std::ptrdiff_t>(doubted.size());
   for (const definition::Motion& motion : account.motions) {
     const definition::Words words = definition::words_of(motion, drawn.part, reading.unknowns);
     if (!said.unread.empty() || words.face < 0) continue;
     const int number = found.numbers[static_cast<std::size_t>(words.face)];
-    FreeFace one{definition::sentence_of(words, drawn.part, length, number) + place_in(views, words), words.face,
-                 number, motion.faces};
+    FreeFace one{definition::sentence_of(words, drawn.part, length, number) + place_in(views, words) +
+                     or_centre_lines(drawn, words),
+                 words.face, number, motion.faces};
     std::erase_if(one.faces, [&](int face) { return static_cast<std::size_t>(face) >= drawn.faces; });
     found.free.push_back(std::move(one));
   }
@@ -107,14 +127,20 @@ FreeFaces find_free_faces(std::span<const DimensionsInView> views, const world::
     found.undecided.push_back("whether " + of_faces(free) +
                               " can move, for nobody can tell what this says of them: " + names.list_of(said.unread));
   if (uncertain > 0 || !account.is_certain)
-    found.undecided.push_back("whether the texts of dimensions hold " +
-                              (uncertain > 0 ? of_faces(uncertain) : "the part, a motion of which they hardly change"));
+    found.undecided.push_back(
+        "whether the texts of dimensions hold " +
+        (uncertain > 0 ? named_faces(doubted) : "the part, a motion of which they hardly change"));
   for (const UntrueText& text : said.untrue)
-    found.untrue.push_back(names.name_of(text.place) + ": the part has " + format_rounded(text.measured, 6));
+    found.untrue.push_back(names.name_of(text.place) + ": the part has " + text.has);
   found.repeated = repeated_in(account, said, names);
   for (const std::vector<int>& list : account.contradictory) {
     std::vector<DimensionPlace> places;
-    for (const int number : list) places.push_back(said.of[static_cast<std::size_t>(number)]);
+    for (const int number : list)
+      if (const DimensionPlace& place = said.of[static_cast<std::size_t>(number)];
+          std::ranges::find(places, place) == places.end())
+        places.push_back(place);
+    // A text that is untrue also contradicts itself where it holds for several.
+    if (places.size() == 1 && list.size() > 1) continue;
     found.contradictory.push_back(names.list_of(places) +
                                   (places.size() == 1 ? " against what the views show" : " cannot all be true"));
   }

@@ -221,7 +221,7 @@ Joins joins_of_slopes(const Reading& of) {
 }  // namespace
 
 bool is_auxiliary(const AnchoredDimension& dimension) {
-  return !dimension.text.empty() && dimension.text.front() == '(';
+  return dimension.text.starts_with('(') || dimension.text.ends_with(" REF");
 }
 
 std::optional<Vec3> measured_along(const AnchoredDimension& dimension, const DimensionsInView& view) {

@@ -21,7 +21,7 @@ struct PlaceJoin {
   std::string name{};  ///< of a length: what is said twice if others give it, too; may be empty
 };
 
-/// Whether a text is in brackets, and the dimension thus auxiliary (ISO 129-1).
+/// Whether a text is in brackets (ISO 129-1) or a reference (ASME Y14.5), and the dimension thus auxiliary.
 bool is_auxiliary(const AnchoredDimension& dimension);
 
 /// The direction in the world along which a dimension in a view measures a length; nothing if it measures none, or if

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sheet/notation.hpp"
@@ -29,10 +30,17 @@ struct StatedSize {
   double unit;   ///< in which it is written
 };
 
-/// The value of a text that is one number, with its count, sign and tolerance or without; and what the part has there.
-/// Nothing for texts that stand for the measured value, and for those that say more, as notes and chamfers do.
+/// The size with which a text begins, behind its count and sign, whatever follows; between limits, that which is
+/// nearest to what the part has there. Nothing for texts that stand for the measured value, and where it may be
+/// something else.
 std::optional<StatedSize> stated_size(const AnchoredDimension& dimension, const DimensionsInView& view,
                                       const Notation& notation);
+
+/// Whether a text has a thread with the sizes of a standard.
+bool gives_thread(std::string_view text);
+
+/// Whether a dimension gives what it measures: by its value, or by a thread. "see note" does not.
+bool gives_size(const AnchoredDimension& dimension, const DimensionsInView& view, const Notation& notation);
 
 /// What it says on the sheet, or how many lengths it gives.
 std::string text_of(const AnchoredDimension& dimension, const DimensionsInView& view, const Notation& notation);

@@ -31,11 +31,11 @@ std::set<char32_t> letters_of(const std::filesystem::path& source) {
   return letters;
 }
 
-// Chinese, Japanese and Korean have fonts of their own; a minus is read; the cap stands for an arc in fonts without its
-// sign. Reports of comparisons are no sheets.
+// Chinese, Japanese and Korean have fonts of their own; a minus and primes are read; the cap stands for an arc in fonts
+// without its sign. Reports of comparisons are no sheets.
 TEST(OwnLetters, AreInTheLetteringFont) {
   const sheet::Lettering lettering;
-  const std::set<char32_t> others{U'−', U'∩'};
+  const std::set<char32_t> others{U'−', U'′', U'″', U'∩'};
   std::set<char32_t> known;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(root() / "src")) {
     const std::filesystem::path& source = entry.path();

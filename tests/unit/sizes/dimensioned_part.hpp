@@ -40,11 +40,13 @@ inline std::vector<sheet::NamedProjection> three_views() {
 /// A part, and its automatic dimensions in three views.
 class DimensionedPart {
  public:
-  explicit DimensionedPart(const std::string& obj) : world_(world_of(obj)), extents_(features::true_extents(world_)) {
+  explicit DimensionedPart(const std::string& obj, HoleDimensions holes = HoleDimensions::notes)
+      : world_(world_of(obj)), extents_(features::true_extents(world_)) {
     const std::vector<sheet::NamedProjection> views = three_views();
     const features::PartFeatures features = features::features_to_dimension(world_);
     scene::DimensionDescription wanted;
     wanted.type = {DimensionType::automatic, ""};
+    wanted.holes = {holes, ""};
     const auto plan = sheet::automatic_dimensions(wanted, views, {world_, features, extents_}, {},
                                                   std::vector<sheet::DimensionsInView>());
     omitted = plan.omitted;
@@ -54,6 +56,9 @@ class DimensionedPart {
         if (*one.view == view.name) own.push_back(one);
       for (const sheet::AnchoredDimension& one : sheet::find_anchors(world_, own)) texts.push_back(one.text);
       views_.push_back({view.name, view.projection, sheet::find_anchors(world_, own)});
+      for (const sheet::HoleTable& table : plan.tables)
+        for (const sheet::HoleRow& row : table.rows)
+          if (table.view == view.name) views_.back().sizes_in_tables[row.label] = row.size;
     }
   }
 
@@ -75,6 +80,14 @@ class DimensionedPart {
       }
       number -= view.dimensions.size();
     }
+    return find_in(views);
+  }
+
+  /// With another text in the row of a label.
+  [[nodiscard]] sheet::FreeFaces with_row(const std::string& label, const std::string& size) const {
+    std::vector<sheet::DimensionsInView> views = views_;
+    for (sheet::DimensionsInView& view : views)
+      if (view.sizes_in_tables.contains(label)) view.sizes_in_tables[label] = size;
     return find_in(views);
   }
 

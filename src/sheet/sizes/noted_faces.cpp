@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sizes/noted_faces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "base/angle.hpp"
+#include "base/error.hpp"
+#include "definition/limits.hpp"
+#include "features/tolerances.hpp"
+#include "sizes/equal_features.hpp"
+#include "world/placed_part.hpp"
+
+namespace epura::sheet {
+
+using definition::Row;
+using definition::UnknownKind;
+using surfaces::PartSurface;
+using surfaces::SurfaceKind;
+
+NotedFaces::NotedFaces(const DrawnPart& drawn, const definition::Unknowns& unknowns, const MeasuredFaces& measured)
+    : part_(drawn.part), count_(drawn.faces), unknowns_(unknowns), measured_(measured), slack_(slack_of(drawn.part)) {}
+
+std::vector<WorldCircle> NotedFaces::with_all(std::vector<WorldCircle> circles,
+                                              std::span<const NotedNumber> numbers) const {
+  std::erase_if(circles, [&](const WorldCircle& circle) {
+    return std::ranges::any_of(numbers, [&](const NotedNumber& number) {
+      return number.kind != NumberKind::any && rows_of(number, circle).empty();
+    });
+  });
+  return circles;
+}
+
+// Nothing else than its size tells which face a number means.
+std::vector<Row> NotedFaces::rows_of(const NotedNumber& number, const WorldCircle& circle) const {
+  std::vector<Row> rows;
+  if (number.kind == NumberKind::any || number.kind == NumberKind::depth) add_depths(rows, circle, number.value);
+  if (number.kind == NumberKind::any || number.kind == NumberKind::diameter) add_diameters(rows, circle, number.value);
+  if (number.kind == NumberKind::any || number.kind == NumberKind::degrees) add_angles(rows, circle, number.value);
+  std::erase_if(rows, [](const Row& row) { return row.empty(); });
+  return rows;
+}
+
+// The circle of a dimension, and for "4×" those about other axes: of the same size, or if there are none, of any.
+std::vector<WorldCircle> NotedFaces::equal_circles(const AnchoredDimension& dimension) const {
+  const WorldCircle& circle = dimension.circles.front();
+  if (dimension.is_label) return {circle};
+  std::vector<WorldCircle> equal{circle}, any{circle};
+  for (int face = 0; face < static_cast<int>(count_) && repeats_of(dimension.text) > 1; ++face) {
+    const PartSurface& one = surface(face);
+    if (one.kind != SurfaceKind::cylinder) continue;
+    const auto is_new = [&](const std::vector<WorldCircle>& list) {
+      return std::none_of(list.begin(), list.end(),
+                          [&](const WorldCircle& known) { return measured_.is_around(face, known); });
+    };
+    const WorldCircle own{one.origin, one.axis, one.radius, {}, true};
+    if (is_new(equal) && measured_.are_alike(one.radius, circle.radius) &&
+        features::are_parallel(one.axis, circle.axis))
+      equal.push_back(own);
+    if (is_new(any)) any.push_back(own);
+  }
+  check(any.size() >= equal.size(), "those of the same size are some of all");
+  return equal.size() > 1 ? equal : any;
+}
+
+void NotedFaces::add_depths(std::vector<Row>& rows, const WorldCircle& circle, double depth) const {
+  const std::vector<Vec3> rims = measured_.rims_around(circle);
+  std::vector<double> done;
+  for (std::size_t i = 0; i < rims.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const double off = std::abs(glm::dot(rims[i] - rims[j], circle.axis)),
+                   at = glm::dot(rims[i] + rims[j], circle.axis);
+      const bool is_done =
+          std::any_of(done.begin(), done.end(), [&](double one) { return std::abs(one - at) <= slack_; });
+      if (!measured_.are_alike(off, depth) || is_done) continue;
+      if (Row row = measured_.length(rims[j], rims[i], circle.axis); !row.empty()) rows.push_back(std::move(row));
+      done.push_back(at);
+    }
+  add_depths_below_round_faces(rows, circle, depth);
+}
+
+// Of radial holes, below the place where their axis meets a round face.
+void NotedFaces::add_depths_below_round_faces(std::vector<Row>& rows, const WorldCircle& circle, double depth) const {
+  std::vector<double> done;
+  for (const Vec3& rim : measured_.rims_around(circle)) {
+    const double at = glm::dot(rim - circle.centre, circle.axis);
+    if (std::any_of(done.begin(), done.end(), [&](double one) { return std::abs(one - at) <= slack_; })) continue;
+    done.push_back(at);
+    const Vec3 floor = circle.centre + at * circle.axis;
+    for (const double up : {-1, 1}) {
+      const Vec3 mouth = floor + up * depth * circle.axis;
+      if (!is_on_round_face(mouth, circle.axis)) continue;
+      Row row = measured_.length(floor, mouth, circle.axis);
+      if (row.empty()) row = measured_.length(rim, mouth, circle.axis);
+      if (!row.empty()) rows.push_back(std::move(row));
+    }
+  }
+}
+
+// Within its borders; a surface goes on beyond them.
+bool NotedFaces::reaches(int face, const Vec3& place) const {
+  Box box;
+  for (const definition::Contact& contact : part_.contacts)
+    if (contact.faces[0] == face || contact.faces[1] == face)
+      for (const Vec3& point : contact.points) box.add(point);
+  const Vec3 slack(definition::good_base * part_.size);
+  return glm::all(glm::greaterThanEqual(place, box.min - slack)) &&
+         glm::all(glm::lessThanEqual(place, box.max + slack));
+}
+
+// Whether a round face is perpendicular to a direction at a place.
+bool NotedFaces::is_on_round_face(const Vec3& place, const Vec3& along) const {
+  for (int face = 0; face < static_cast<int>(count_); ++face) {
+    if (!world::is_round(surface(face).kind) || !reaches(face, place)) continue;
+    const surfaces::Nearness near = surfaces::nearness_of(surface(face), place);
+    if (std::abs(near.distance) <= slack_ && near.normal != Vec3(0) && features::are_parallel(near.normal, along))
+      return true;
+  }
+  return false;
+}
+
+// Of round faces, and of the ends of cones.
+void NotedFaces::add_diameters(std::vector<Row>& rows, const WorldCircle& circle, double diameter) const {
+  std::vector<double> done;  // places of ends along the axis
+  for (int face = 0; face < static_cast<int>(count_); ++face)
+    if (measured_.is_around(face, circle))
+      if (Row row = measured_.size(face, diameter / 2); !row.empty()) rows.push_back(std::move(row));
+  for (const definition::Contact& contact : part_.contacts) {
+    if (std::none_of(contact.faces.begin(), contact.faces.end(), [&](int face) {
+          return surface(face).kind == SurfaceKind::cone && measured_.is_around(face, circle);
+        }))
+      continue;
+    const Vec3& rim = contact.points.front();
+    const double at = glm::dot(rim - circle.centre, circle.axis);
+    const bool is_done =
+        std::any_of(done.begin(), done.end(), [&](double one) { return std::abs(one - at) <= slack_; });
+    if (is_done || !measured_.are_alike(2 * features::distance_from_line(rim, circle.centre, circle.axis), diameter))
+      continue;
+    rows.push_back(measured_.rim({circle.centre + at * circle.axis, circle.axis, diameter / 2, {}, true}));
+    done.push_back(at);
+  }
+  std::erase_if(rows, [](const Row& row) { return row.empty(); });
+  check(done.size() <= part_.contacts.size(), "an end of a cone counts once");
+}
+
+// Of cones, between opposite sides or between a side and the axis.
+void NotedFaces::add_angles(std::vector<Row>& rows, const WorldCircle& circle, double angle) const {
+  for (int face = 0; face < static_cast<int>(count_); ++face) {
+    if (surface(face).kind != SurfaceKind::cone || !measured_.is_around(face, circle)) continue;
+    const double half = std::atan(std::abs(surface(face).slope)) * degrees;
+    if (measured_.are_alike(2 * half, angle) || measured_.are_alike(half, angle))
+      rows.push_back(unknowns_.growth(face, UnknownKind::angle));
+  }
+}
+
+// A standard thread gives the hole that is drilled for it, and its point.
+std::vector<Row> NotedFaces::thread(const WorldCircle& circle) const {
+  constexpr double core = 0.7;  // of the diameter, at least
+  std::vector<Row> rows;
+  for (int face = 0; face < static_cast<int>(count_); ++face)
+    if (const PartSurface& one = surface(face); measured_.is_around(face, circle) && one.radius >= core * circle.radius)
+      rows.push_back(unknowns_.growth(face, UnknownKind::radius));
+  return rows;
+}
+
+}  // namespace epura::sheet

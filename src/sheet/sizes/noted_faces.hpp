@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stands behind a diameter says of faces around its axis: depths, counterbores, countersinks and threads.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "definition/statements.hpp"
+#include "sizes/measured_faces.hpp"
+#include "sizes/stated_values.hpp"
+
+namespace epura::sheet {
+
+/// It refers to what it is given.
+class NotedFaces {
+ public:
+  NotedFaces(const DrawnPart& drawn, const definition::Unknowns& unknowns, const MeasuredFaces& measured);
+
+  /// The circle of a dimension, and for "4×" those about other axes: of the same size, or if there are none, of any;
+  /// a row of a table is of one axis.
+  [[nodiscard]] std::vector<WorldCircle> equal_circles(const AnchoredDimension& dimension) const;
+  /// What a number may mean around a circle: each row is another thing.
+  [[nodiscard]] std::vector<definition::Row> rows_of(const NotedNumber& number, const WorldCircle& circle) const;
+  /// The circles around which all numbers of a note may mean something, whatever those without a sign are.
+  [[nodiscard]] std::vector<WorldCircle> with_all(std::vector<WorldCircle> circles,
+                                                  std::span<const NotedNumber> numbers) const;
+  /// A standard thread gives the hole that is drilled for it.
+  [[nodiscard]] std::vector<definition::Row> thread(const WorldCircle& circle) const;
+
+ private:
+  [[nodiscard]] const surfaces::PartSurface& surface(int face) const {
+    return part_.faces[static_cast<std::size_t>(face)].surface;
+  }
+  void add_depths(std::vector<definition::Row>& rows, const WorldCircle& circle, double depth) const;
+  void add_depths_below_round_faces(std::vector<definition::Row>& rows, const WorldCircle& circle, double depth) const;
+  [[nodiscard]] bool reaches(int face, const Vec3& place) const;
+  [[nodiscard]] bool is_on_round_face(const Vec3& place, const Vec3& along) const;
+  void add_diameters(std::vector<definition::Row>& rows, const WorldCircle& circle, double diameter) const;
+  void add_angles(std::vector<definition::Row>& rows, const WorldCircle& circle, double angle) const;
+
+  const definition::Part& part_;
+  std::size_t count_;  // of faces of the model
+  const definition::Unknowns& unknowns_;
+  const MeasuredFaces& measured_;
+  double slack_;
+};
+
+}  // namespace epura::sheet

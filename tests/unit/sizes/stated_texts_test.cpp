@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+// What texts say against what the part has, and what they leave open.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "crossed_parts.hpp"
+#include "dimensioned_part.hpp"
+#include "turned_parts.hpp"
+
+namespace epura::test::stated_texts_test {
+namespace {
+
+/// What is said of a part whose dimension with one text has another.
+sheet::FreeFaces said(const DimensionedPart& part, const std::string& text, const std::string& by) {
+  const auto at = std::find(part.texts.begin(), part.texts.end(), text);
+  EXPECT_NE(at, part.texts.end()) << text << " of " << testing::PrintToString(part.texts);
+  return part.with_text(static_cast<std::size_t>(at - part.texts.begin()), by, false);
+}
+
+/// The untrue texts, without the view of each.
+std::string untrue(const sheet::FreeFaces& faces) {
+  std::string text;
+  for (const std::string& one : faces.untrue) text += one.substr(0, one.find(" in view")) + one.substr(one.find(':'));
+  return text;
+}
+
+/// A block of 60 x 40 x 20 with a blind hole of 8 at (20, 15), 12 deep, whose point has an angle; 0: flat.
+std::string block_with_point(double angle) {
+  Loop profile{{4, 20}, {4, 8}};
+  if (angle > 0) profile.emplace_back(0, 8 - 4 / (sine(angle / 2) / cosine(angle / 2)));
+  return plate_with_round({60, 40}, 20, {20, 15}, profile);
+}
+
+/// A plate with two rows of blind holes of 8, those in the second row one deeper.
+std::string plate_with_two_depths() {
+  return plate({30, 30}, 3, 2, 20, [](const Vec2& centre) {
+    return stepped_hole({{4, 20}, {4, centre.y < 30 ? 12 : 9}, {0, centre.y < 30 ? 12 : 9}})(centre);
+  });
+}
+
+/// A disc of 40 with one of 20 on it, whose centre is elsewhere.
+std::string eccentric_disc(const Vec2& centre) {
+  const Loop outside = circle({0, 0}, 20, 0), boss = circle(centre, 10, 0);
+  Model model;
+  model.fan(boss, 50, true);
+  model.fan(outside, 0, false);
+  for (std::size_t i = 0; i < boss.size(); ++i) {
+    const std::size_t j = (i + 1) % boss.size();
+    model.face({Vec3(boss[j], 50), Vec3(boss[i], 50), Vec3(boss[i], 20), Vec3(boss[j], 20)});
+    model.face({Vec3(outside[i], 20), Vec3(outside[j], 20), Vec3(boss[j], 20), Vec3(boss[i], 20)});
+    model.face({Vec3(outside[j], 20), Vec3(outside[i], 20), Vec3(outside[i], 0), Vec3(outside[j], 0)});
+  }
+  return model.obj();
+}
+
+std::string told(const sheet::FreeFaces& faces) {
+  std::string text;
+  for (const sheet::FreeFace& one : faces.free) text += one.sentence + "\n";
+  for (const std::string& one : faces.undecided) text += one + "\n";
+  return text;
+}
+
+}  // namespace
+
+TEST(StatedTexts, AreJudgedByTheirFirstSizeWhateverFollows) {
+  const DimensionedPart part(sloped_block);
+  for (const char* text : {"60", "60.0", "60,00", "60 ±0.1", "60 +0.2 -0.1", "60.2-59.9", "60.1/59.9", "60 H7",
+                           "60 (2.36)", "2 off 60", "60 MAX", "<> H7"}) {
+    const sheet::FreeFaces faces = part.with_text(0, text, false);
+    EXPECT_EQ(untrue(faces) + told(faces), "") << text;
+  }
+  for (const char* text : {"60.1", "61 +0.2 -0.1", "61.2-61.1", "61.2 / 61.1", "61 H7", "59.9 (2.36)", "60.01 [2.36]"})
+    EXPECT_EQ(untrue(part.with_text(0, text, false)), "'" + std::string(text) + "': the part has 60");
+}
+
+TEST(StatedTexts, OfNoSizeLeaveItOpen) {
+  const DimensionedPart part(sloped_block);
+  for (const char* text : {"see note", "A", "L1", "1/2"}) {
+    const sheet::FreeFaces faces = part.with_text(0, text, false);
+    ASSERT_EQ(faces.undecided.size(), 1U) << text;
+    EXPECT_NE(faces.undecided[0].find("nobody can tell what this says"), std::string::npos) << faces.undecided[0];
+  }
+  for (const char* text : {"(60)", "60 REF"}) EXPECT_EQ(part.with_text(0, text, false).free.size(), 1U) << text;
+}
+
+TEST(StatedTexts, OfAnglesHaveMinutes) {
+  const DimensionedPart part(ring_with_holes({10, 90, 200}, 35, 4));
+  const auto is_angle_of_10 = [&](const std::string& text) {
+    bool any = false;
+    for (std::size_t i = 0; i < part.texts.size(); ++i)
+      any = any || (part.texts[i].empty() && part.with_text(i, text, false).untrue.empty());
+    return any;
+  };
+  for (const char* text : {"10°", "10°0'", "9°60'", "9°59'60\"", "10° ±30'"}) EXPECT_TRUE(is_angle_of_10(text)) << text;
+  for (const char* text : {"10°1'", "10°30'", "10°0'1\""}) EXPECT_FALSE(is_angle_of_10(text)) << text;
+}
+
+TEST(StatedTexts, OfNotesAreThoseOfTheHole) {
+  const DimensionedPart part(block_with_point(118));
+  EXPECT_EQ(told(part.free()), "");
+  EXPECT_EQ(untrue(said(part, "<> ↧12", "⌀8 ↧12")), "");
+  EXPECT_EQ(untrue(said(part, "<> ↧12", "⌀9 ↧12")), "'⌀9 ↧12': the part has 8");
+  EXPECT_EQ(untrue(said(part, "<> ↧12", "⌀8 ↧10")), "'⌀8 ↧10': the part has nothing of ↧10 there");
+  EXPECT_EQ(untrue(said(part, "<> ↧12", "<> ↧12 ⌵⌀12×90°")),
+            "'⌀8 ↧12 ⌵⌀12×90°': the part has nothing of ⌀12 there"
+            "'⌀8 ↧12 ⌵⌀12×90°': the part has nothing of 90° there");
+  EXPECT_EQ(untrue(said(part, "<> ↧12", "M8 ↧10")), "") << "the thread may be shorter than the hole";
+}
+
+TEST(StatedTexts, CountWhatThereIs) {
+  const DimensionedPart part(ring_with_holes({0, 90, 180, 270}, 35, 4));
+  for (const char* text : {"4× <>", "4x <>", "4X ⌀8", "4 × <>"})
+    EXPECT_EQ(untrue(said(part, "4× <>", text)) + told(said(part, "4× <>", text)), "") << text;
+  EXPECT_EQ(untrue(said(part, "4× <>", "5× <>")), "'5× ⌀8': the part has 4 of these");
+  EXPECT_NE(told(said(part, "4× <>", "3× <>")), "");
+}
+
+// Readers who do not apply the rule for equal features take "4× ⌀8" for one hole, beside what lies on its surface.
+TEST(StatedTexts, CountByARule) {
+  DimensionedPart part(ring_with_holes({0, 90, 180, 270}, 35, 4));
+  EXPECT_EQ(told(part.free()), "");
+  for (std::size_t i = 0; i < definition::rule_count; ++i)
+    if (std::string(definition::all_rules()[i].name) == "equal") part.rules.reset(i);
+  EXPECT_EQ(part.free().free.size(), 3U) << told(part.free());
+  const auto rebuilt = part.rebuilt();
+  ASSERT_TRUE(rebuilt.has_value());
+  EXPECT_FALSE(rebuilt->is_defined());
+}
+
+TEST(StatedTexts, AreNoContradictionToThemselves) {
+  const DimensionedPart part(ring_with_holes({0, 90, 180, 270}, 35, 4));
+  const sheet::FreeFaces faces = said(part, "4× <>", "4× ⌀9");
+  EXPECT_EQ(untrue(faces), "'4× ⌀9': the part has 8");
+  EXPECT_TRUE(faces.contradictory.empty()) << testing::PrintToString(faces.contradictory);
+}
+
+// Three holes have one depth, and three another one.
+TEST(StatedTexts, MeanTheHolesThatHaveAllOfTheirNumbers) {
+  const DimensionedPart part(plate_with_two_depths());
+  EXPECT_EQ(told(part.free()), "") << testing::PrintToString(part.texts);
+  EXPECT_EQ(told(said(part, "3× <> ↧11", "3× <> ↧11")), "");
+  EXPECT_NE(told(said(part, "3× <> ↧11", "2× <> ↧11")), "");
+}
+
+// Four counterbored holes in a table.
+TEST(StatedTexts, OfTablesAreThoseOfTheirHoles) {
+  const DimensionedPart part(plate({30, 30}, 2, 2, 10, stepped_hole({{5, 10}, {5, 6}, {3, 6}, {3, 0}})),
+                             HoleDimensions::table);
+  EXPECT_EQ(told(part.free()) + untrue(part.free()), "") << testing::PrintToString(part.texts);
+  EXPECT_EQ(untrue(part.with_row("A2", "⌀6 ⌴⌀10 ↧5")), "'A2': the part has nothing of ↧5 there");
+  EXPECT_NE(told(part.with_row("A2", "⌀6")), "");
+}
+
+// A drill has 118 degrees, and is drawn with 120; any other angle has to be said.
+TEST(StatedTexts, OfPointsThatAreNotThoseOfDrillsHaveAnAngle) {
+  for (const double angle : {118.0, 120.0})
+    EXPECT_EQ(DimensionedPart(block_with_point(angle)).texts.size(), 6U) << angle;
+  for (const double angle : {60.0, 90.0, 140.0}) {
+    const DimensionedPart part(block_with_point(angle));
+    EXPECT_EQ(told(part.free()), "") << angle;
+    ASSERT_EQ(part.texts.size(), 7U) << testing::PrintToString(part.texts);
+    std::size_t without_angle = 0;
+    for (std::size_t i = 0; i < part.texts.size(); ++i)
+      for (const sheet::FreeFace& one : part.free_without(i).free)
+        without_angle += one.sentence.find("its angle") == std::string::npos ? 0 : 1;
+    EXPECT_GE(without_angle, 1U) << angle;
+  }
+}
+
+// Nothing of a round part turns with the axes of the views, along which the places of its boss are given.
+TEST(StatedTexts, GivePlacesAmongRoundThings) {
+  const DimensionedPart part(eccentric_disc({2, 3}));
+  EXPECT_EQ(told(part.free()), "") << testing::PrintToString(part.texts);
+  for (std::size_t i = 0; i < part.texts.size(); ++i) EXPECT_NE(told(part.free_without(i)), "") << i;
+}
+
+}  // namespace epura::test::stated_texts_test
