@@ -198,15 +198,17 @@ AutomaticPlan automatic_dimensions(const DimensionDescription& wanted, std::span
   const std::span<const DimensionsInView> others =
       given ? std::span<const DimensionsInView>(*given) : std::span<const DimensionsInView>();
   Planned all = with_positions(plan, planned, others);
-  Planned missing;
+  FreeFaceDimensions of_faces;
   if (given && !wanted.view.given())
-    missing = dimensions_of_free_faces(plan, with_others(*given, all.dimensions, views, subject.world));
+    of_faces = dimensions_of_free_faces(plan, with_others(*given, all.dimensions, views, subject.world));
+  Planned& missing = of_faces.planned;
   if (!missing.dimensions.empty() || !missing.places.empty() || !missing.omitted.too_many.empty()) {
     // Before places that are thought to be known.
     std::swap(planned.places, missing.places);
     planned.append(std::move(missing));
     all = with_positions(plan, planned, others);
   }
+  if (of_faces.are_all) all.omitted.askew.clear();
   for (const DimensionDescription& dimension : all.dimensions)
     check(dimension.view.given() && dimension.type.given(), "an automatic dimension has a type and a view");
   all = without_excess(std::move(all));

@@ -100,7 +100,6 @@ struct Dimensioned {
   std::span<const DimensionsInView> views;
   const DimensionSubject& subject;
   const Notation& notation;
-  std::span<const char> held;  ///< as of find_coverage
   FeatureTable table;
   SizesOnSheet on_sheet;
   std::vector<bool> given;  ///< of each size in the table
@@ -207,7 +206,7 @@ Missing missing_doubly_curved(const world::PlacedPart& part, const Dimensioned& 
   Missing missing{.with_views = sheet.transform.empty()};
   std::vector<surfaces::PartSurface> seen;
   for (std::size_t number = 0; number < part.faces.size(); ++number) {
-    if (number < sheet.held.size() && sheet.held[number] != 0) continue;
+    if (number < sheet.on_sheet.held.size() && sheet.on_sheet.held[number] != 0) continue;
     const surfaces::PartFace& face = part.faces[number];
     const surfaces::PartSurface& surface = face.surface;
     const bool sphere = surface.kind == surfaces::SurfaceKind::sphere;
@@ -338,7 +337,7 @@ FaceCoverage cover_all_faces(const Dimensioned& sheet, const JoinedPlaces& place
   GivenSizes given{[&places](int axis, double at) { return places.has(axis, at); },
                    [&sheet](const surfaces::PartFace& face) { return has_doubly_curved(face, sheet); }};
   given.circles = sized_circles(sheet);
-  given.held = sheet.held;
+  given.held = sheet.on_sheet.held;
   given.holes = given_of(sheet, SizeKind::hole);
   check(given.holes.size() == sheet.subject.features.holes.size(), "each hole has a size");
   given.slots = given_of(sheet, SizeKind::slot);
@@ -398,9 +397,11 @@ std::vector<std::string> distinct(const std::vector<std::string>& names) {
 
 Coverage find_coverage(std::span<const DimensionsInView> views, const DimensionSubject& subject,
                        const Notation& notation, std::span<const char> held) {
-  Dimensioned sheet{views, subject, notation, held, feature_table(subject, notation), {}, {}, {}};
+  Dimensioned sheet{views, subject, notation, feature_table(subject, notation), {}, {}, {}};
   sheet.transform = transform_to_own_frame(subject.world);
   sheet.on_sheet = sizes_on_sheet(views, subject, sheet.table);
+  check(held.empty() || subject.world.models.size() == 1, "faces are held of a single model");
+  sheet.on_sheet.held = held;
   sheet.given = given_sizes(sheet.on_sheet, subject, sheet.table, notation);
   check(sheet.given.size() == sheet.table.sizes.size(), "each size is given or missing");
   const JoinedPlaces places = join_places(sheet);

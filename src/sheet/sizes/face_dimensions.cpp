@@ -10,6 +10,7 @@
 #include "base/angle.hpp"
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
+#include "definition/limits.hpp"
 #include "features/tolerances.hpp"
 #include "sizes/axis_positions.hpp"
 #include "sizes/slope_dimensions.hpp"
@@ -113,10 +114,12 @@ std::vector<FaceDimension> FaceDimensions::of(int face) const {
       add_angles(found, face);
       add_edges(found, face);
       add_widths(found, face);
+      add_corners(found, face);
       break;
     case SurfaceKind::cylinder:
       add_size(found, face);
       add_places(found, face);
+      add_slant(found, face);
       break;
     case SurfaceKind::cone:
       add_rims(found, face);
@@ -269,6 +272,37 @@ void FaceDimensions::add_places(std::vector<FaceDimension>& found, int face) con
   add_place({across, axis, centre[axis], centre + out, -1, centre - out});
 }
 
+// Of an axis that leans: where it meets a plane in which the face ends, and at which angle.
+void FaceDimensions::add_slant(std::vector<FaceDimension>& found, int face) const {
+  const PartSurface& surface = face_of(face).surface;
+  if (world_axis(surface.axis) >= 0) return;
+  const surfaces::PartFace& own = part_->faces[static_cast<std::size_t>(face)];
+  for (const int other : beside(face)) {
+    const PartSurface& plane = face_of(other).surface;
+    const double cosine = glm::dot(surface.axis, plane.axis);
+    if (plane.kind != SurfaceKind::plane || world_axis(plane.axis) < 0 || std::abs(cosine) < definition::good_base ||
+        are_parallel(surface.axis, plane.axis))
+      continue;
+    const double along = glm::dot(plane.origin - surface.origin, plane.axis) / cosine;
+    const Vec3 at = surface.origin + along * surface.axis, sight = glm::normalize(glm::cross(plane.axis, surface.axis));
+    const NamedProjection *aside = plan_.views.along(sight), *onto = plan_.views.along(plane.axis);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (axis == world_axis(plane.axis)) continue;
+      const NamedProjection* view = aside != nullptr && std::abs(sight[axis]) <= features::parallel ? aside : onto;
+      if (view != nullptr) found.push_back({Measure::place, {{}, {Coordinate{view, axis, at[axis], at, -1, at}}}});
+    }
+    if (aside == nullptr) continue;
+    const Vec3 leg =
+        (std::abs(own.from - along) > std::abs(own.to - along) ? own.from - along : own.to - along) * surface.axis;
+    Vec3 trace = glm::cross(sight, plane.axis);
+    if (glm::dot(trace, leg) < 0) trace = -trace;
+    DimensionDescription dimension = plan_.dimension(DimensionType::angular, *aside, "<>");
+    dimension.anchors = {at, at + glm::length(leg) * trace, at + leg};
+    check(glm::length(leg) > 0, "a face goes on from the plane in which it ends");
+    add(found, Measure::angle, std::move(dimension));
+  }
+}
+
 // Of a wall of a pocket or boss that stands on a slope, along this: from the wall that looks at it, or away from it,
 // and of the nearer one of both from the end of the slope.
 void FaceDimensions::add_places_on_slope(std::vector<FaceDimension>& found, int face) const {
@@ -395,6 +429,28 @@ void FaceDimensions::add_edges(std::vector<FaceDimension>& found, int face) cons
       if (std::abs((*edge)[axis]) <= features::parallel)
         found.push_back({Measure::edge, {{}, {Coordinate{view, axis, points[0][axis], points[0], -1, points[0]}}}});
   }
+}
+
+// Places along the axes of the world at which a plane that leans against all of them cuts edges that run along them.
+void FaceDimensions::add_corners(std::vector<FaceDimension>& found, int face) const {
+  const Vec3& normal = face_of(face).surface.axis;
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(normal[axis]) <= features::parallel) return;
+  std::vector<Vec3> known;
+  for (const Vec3& corner : points_of(face)) {
+    const auto ends_there = [&](int number) {
+      const std::vector<Vec3>& points = reading_.drawn.part.contacts[static_cast<std::size_t>(number)].points;
+      return std::ranges::any_of(points, [&](const Vec3& p) { return glm::distance(p, corner) <= slack_; });
+    };
+    const bool is_new =
+        std::ranges::none_of(known, [&](const Vec3& one) { return glm::distance(one, corner) <= slack_; });
+    if (!is_new || std::ranges::count_if(contacts_[static_cast<std::size_t>(face)], ends_there) < 2) continue;
+    known.push_back(corner);
+    for (int axis = 0; axis < 3; ++axis)
+      if (const NamedProjection* view = plan_.views.beside(Mat3(1)[axis], corner); view != nullptr)
+        found.push_back({Measure::edge, {{}, {Coordinate{view, axis, corner[axis], corner, -1, corner}}}});
+  }
+  check(known.size() <= all_points_.size(), "corners are points of faces");
 }
 
 // Distances from planes that are parallel to one that leans against the axes of the world, the nearest ones first; of

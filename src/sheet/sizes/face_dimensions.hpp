@@ -38,11 +38,13 @@ class FaceDimensions {
   void add_tube(std::vector<FaceDimension>& found, int face) const;
   void add_ball(std::vector<FaceDimension>& found, int face) const;
   void add_places(std::vector<FaceDimension>& found, int face) const;
+  void add_slant(std::vector<FaceDimension>& found, int face) const;
   void add_places_on_slope(std::vector<FaceDimension>& found, int face) const;
   void add_angles(std::vector<FaceDimension>& found, int face) const;
   void add_cone_angle(std::vector<FaceDimension>& found, int face) const;
   void add_rims(std::vector<FaceDimension>& found, int face) const;
   void add_edges(std::vector<FaceDimension>& found, int face) const;
+  void add_corners(std::vector<FaceDimension>& found, int face) const;
   void add_widths(std::vector<FaceDimension>& found, int face) const;
   void add_width(std::vector<FaceDimension>& found, Measure measure, int face, const Vec3& to) const;
   void add(std::vector<FaceDimension>& found, Measure measure, scene::DimensionDescription dimension) const;

@@ -79,7 +79,7 @@ class Completion {
         coordinates_(plan.subject, plan.table.round_ends, plan.views.all()),
         motions_(std::move(motions)) {}
 
-  Planned find() {
+  FreeFaceDimensions find() {
     Planned planned;
     std::size_t given_up = 0;
     while (given_up < motions_.size()) {
@@ -91,7 +91,7 @@ class Completion {
         ++given_up;
       }
     }
-    return planned;
+    return {std::move(planned), motions_.empty()};
   }
 
  private:
@@ -197,7 +197,7 @@ class Completion {
 
 }  // namespace
 
-Planned dimensions_of_free_faces(const Planning& plan, std::span<const DimensionsInView> views) {
+FreeFaceDimensions dimensions_of_free_faces(const Planning& plan, std::span<const DimensionsInView> views) {
   std::optional<DrawnPart> drawn = part_on_sheets(views, plan.subject.world, plan.subject.extents);
   if (!drawn || drawn->faces > most_faces_planned) return {};
   const SheetReading reading(std::move(*drawn), views, plan.notation);

@@ -89,6 +89,20 @@ std::optional<End> MeasuredFaces::place_at(const Vec3& point, const Vec3& along)
   return std::nullopt;
 }
 
+// Where an axis that leans meets a plane.
+std::optional<End> MeasuredFaces::crossing_at(const Vec3& point) const {
+  for (int face = 0; face < all_faces(); ++face) {
+    const PartSurface& one = surface(face);
+    if (!surfaces::has_axis(one.kind) || features::distance_from_line(point, one.origin, one.axis) > slack_) continue;
+    for (int other = 0; other < all_faces(); ++other)
+      if (const PartSurface& plane = surface(other); plane.kind == SurfaceKind::plane &&
+                                                     std::abs(surfaces::signed_distance(plane, point)) <= slack_ &&
+                                                     std::abs(glm::dot(plane.axis, one.axis)) >= definition::good_base)
+        return End{point, {face, other}, true};
+  }
+  return std::nullopt;
+}
+
 // Where a round face ends in a direction.
 std::optional<End> MeasuredFaces::side_at(const Vec3& point, const Vec3& along) const {
   for (int face = 0; face < all_faces(); ++face) {
@@ -150,14 +164,14 @@ std::vector<Row> MeasuredFaces::lengths(const Vec3& from, const Vec3& to, const 
   for (const int side : {0, 1}) {
     const Vec3& point = side == 0 ? from : to;
     std::vector<End>& found = ends[static_cast<std::size_t>(side)];
-    for (const auto& end : {corner_at(point), place_at(point, along), side_at(point, along)})
+    for (const auto& end : {corner_at(point), place_at(point, along), crossing_at(point), side_at(point, along)})
       if (found.empty() && end && !definition::end_motion(unknowns_, part_, *end, along).empty()) found.push_back(*end);
     if (found.empty()) found = edges_at(point, along);
   }
   std::vector<Row> rows;
   const auto is_line = [&](const End& end) {
     const SurfaceKind kind = surface(end.faces.front()).kind;
-    return end.is_axis && (kind == SurfaceKind::cylinder || kind == SurfaceKind::cone);
+    return end.is_axis && end.faces.size() == 1 && (kind == SurfaceKind::cylinder || kind == SurfaceKind::cone);
   };
   for (std::size_t i = 0; i < ends[0].size(); ++i) {
     const End& first = ends[0][i];

@@ -51,6 +51,7 @@ class MeasuredFaces {
   }
   [[nodiscard]] int all_faces() const { return static_cast<int>(part_.faces.size()); }
   [[nodiscard]] std::optional<definition::End> place_at(const Vec3& point, const Vec3& along) const;
+  [[nodiscard]] std::optional<definition::End> crossing_at(const Vec3& point) const;
   [[nodiscard]] std::optional<definition::End> side_at(const Vec3& point, const Vec3& along) const;
   [[nodiscard]] std::optional<definition::End> corner_at(const Vec3& point) const;
   [[nodiscard]] std::vector<definition::End> edges_at(const Vec3& point, const Vec3& along) const;

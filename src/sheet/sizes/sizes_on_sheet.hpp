@@ -14,6 +14,7 @@ struct SizesOnSheet {
   std::vector<int> dimensions;      ///< of each size in the table: how many give it
   std::vector<double> radii;        ///< that dimensions give
   std::vector<WorldCircle> labels;  ///< of holes in tables
+  std::span<const char> held{};     ///< by face of the only model, if any: whether dimensions hold it
 };
 
 /// A dimension counts for the features on its circle, and for those equal to them if it is one of a fillet or has "4×".

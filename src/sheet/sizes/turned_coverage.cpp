@@ -13,6 +13,7 @@
 #include "sizes/equal_features.hpp"
 #include "sizes/feature_places.hpp"
 #include "sizes/hole_angles.hpp"
+#include "world/placed_part.hpp"
 
 namespace epura::sheet {
 
@@ -44,7 +45,10 @@ class TurnedFinder {
         table_(table),
         on_sheet_(on_sheet),
         notation_(notation),
-        slack_(same_size * glm::length(subject.world.box.size())) {}
+        part_(on_sheet.held.empty() ? std::nullopt : world::place_part(subject.world.models.front())),
+        slack_(same_size * glm::length(subject.world.box.size())) {
+    check(on_sheet.held.empty() || (part_ && part_->faces.size() == on_sheet.held.size()), "each face is held or not");
+  }
 
   TurnedCoverage find() {
     found_.holes.assign(features_.holes.size(), true);
@@ -130,11 +134,25 @@ class TurnedFinder {
   }
 
   [[nodiscard]] bool has_place(const Vec3& place, const Vec3& axis) const {
-    if (features::axis_along(axis) >= 0) return true;
+    if (features::axis_along(axis) >= 0 || is_held(place, axis)) return true;
     const std::optional<Vec3> along = slanted_across(axis);
     return along && any_dimension(views_, [&](const AnchoredDimension& dimension) {
              return measures(dimension, *along, place, slack_);
            });
+  }
+
+  // Whether dimensions hold all round faces about an axis.
+  [[nodiscard]] bool is_held(const Vec3& place, const Vec3& axis) const {
+    bool any = false, all = true;
+    for (std::size_t face = 0; face < on_sheet_.held.size(); ++face) {
+      const surfaces::PartSurface& one = part_->faces[face].surface;
+      if (!surfaces::has_axis(one.kind) || !are_parallel(one.axis, axis) ||
+          features::distance_from_line(place, one.origin, one.axis) > slack_)
+        continue;
+      any = true;
+      all = all && on_sheet_.held[face] != 0;
+    }
+    return any && all;
   }
 
   std::span<const DimensionsInView> views_;
@@ -142,6 +160,7 @@ class TurnedFinder {
   const FeatureTable& table_;
   const SizesOnSheet& on_sheet_;
   const Notation& notation_;
+  std::optional<world::PlacedPart> part_;
   double slack_;
   TurnedCoverage found_;
 };

@@ -55,6 +55,7 @@ std::size_t needed(const DimensionedPart& sheet) {
 void expect_defined(const DimensionedPart& sheet, const std::string& name) {
   const sheet::FreeFaces free = sheet.free();
   for (const sheet::FreeFace& one : free.free) ADD_FAILURE() << name << ": " << one.sentence;
+  for (const std::string& one : free.undecided) ADD_FAILURE() << name << ": " << one;
   EXPECT_EQ(free.count.given, free.count.all) << name;
   EXPECT_TRUE(free.contradictory.empty() && free.untrue.empty() && free.undecided.empty()) << name;
   EXPECT_EQ(needed(sheet), sheet.texts.size()) << name << ": each is needed";
@@ -74,7 +75,59 @@ Loop knurl(int count, double tip, double root, double half) {
   return outline;
 }
 
+// A block of 60 x 40 x 30 of whose corner a plane cuts off lengths along its edges.
+std::string block_without_corner(const Vec3& cut) {
+  const Vec3 a(60 - cut.x, 40, 30), b(60, 40 - cut.y, 30), c(60, 40, 30 - cut.z);
+  Model model;
+  model.face({{0, 0, 0}, {0, 40, 0}, {60, 40, 0}, {60, 0, 0}});
+  model.face({{0, 0, 0}, {60, 0, 0}, {60, 0, 30}, {0, 0, 30}});
+  model.face({{0, 0, 0}, {0, 0, 30}, {0, 40, 30}, {0, 40, 0}});
+  model.face({{0, 0, 30}, {60, 0, 30}, b, a, {0, 40, 30}});
+  model.face({{60, 0, 0}, {60, 40, 0}, c, b, {60, 0, 30}});
+  model.face({{0, 40, 0}, {0, 40, 30}, a, c, {60, 40, 0}});
+  model.face({a, b, c});
+  return model.obj();
+}
+
+// A block of 60 x 40 x 20 with a hole through it that leans in the plane of x and z; its axis leaves the top at (25,
+// 15).
+std::string block_with_leaning_hole(double degrees) {
+  const Vec3 axis(sine(degrees), 0, cosine(degrees)), out(25, 15, 20);
+  const Loop border = square({0, 0}, {60, 40}), round = circle({0, 0}, 4, -135);
+  const auto at = [&](std::size_t i, double z) {
+    const Vec3 side = out + round[i].x * Vec3(axis.z, 0, -axis.x) + Vec3(0, round[i].y, 0);
+    return side + (z - side.z) / axis.z * axis;
+  };
+  Model model;
+  for (std::size_t p = 0; p < border.size(); ++p) {
+    const std::size_t q = (p + 1) % border.size();
+    model.face({Vec3(border[p], 20), Vec3(border[q], 20), at(q, 20), at(p, 20)});
+    model.face({at(p, 20), at(q, 20), at(q, 0), at(p, 0)});
+    model.face({at(p, 0), at(q, 0), Vec3(border[q], 0), Vec3(border[p], 0)});
+    model.face({Vec3(border[q], 20), Vec3(border[p], 20), Vec3(border[p], 0), Vec3(border[q], 0)});
+  }
+  return model.obj();
+}
+
 }  // namespace
+
+// By the three lengths that it leaves of the edges, which no view shows square to it.
+TEST(FreeFaceDimensions, GiveACornerThatIsCutOff) {
+  for (const Vec3& cut : {Vec3(10, 10, 10), Vec3(20, 12, 8), Vec3(9, 15, 22)}) {
+    const DimensionedPart sheet(block_without_corner(cut));
+    expect_defined(sheet, "a corner");
+    EXPECT_EQ(sheet.texts.size(), 6U) << testing::PrintToString(sheet.texts);
+  }
+}
+
+// Where its axis meets the top, at which angle, and its diameter.
+TEST(FreeFaceDimensions, GiveAHoleThatLeans) {
+  for (const double degrees : {20.0, 30.0, 45.0, -35.0}) {
+    const DimensionedPart sheet(block_with_leaning_hole(degrees));
+    expect_defined(sheet, "leaning by " + std::to_string(degrees));
+    EXPECT_EQ(sheet.texts.size(), 7U) << testing::PrintToString(sheet.texts);
+  }
+}
 
 // Width, height, depth, the radius and the place of its centre; how far the bulge goes out follows.
 TEST(FreeFaceDimensions, GiveTheHeightOfABulge) {
