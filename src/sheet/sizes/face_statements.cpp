@@ -466,10 +466,14 @@ class Reader {
     const bool is_thread = gives_thread(dimension.text);
     std::vector<WorldCircle> circles = noted_.equal_circles(dimension);
     std::vector<WorldCircle> meant = noted_.with_all(circles, numbers);
-    for (std::size_t i = 0; i < numbers.size() && meant.empty() && !is_thread; ++i)
-      if (const bool is_head = i == 0 && numbers[i].kind == NumberKind::diameter;
-          !is_head && numbers[i].kind != NumberKind::any && noted_.with_all(circles, {&numbers[i], 1}).empty())
+    // Without a recess, a diameter may be that of the circle on which the holes are.
+    const bool has_recess =
+        dimension.text.find("⌴") != std::string::npos || dimension.text.find("⌵") != std::string::npos;
+    for (std::size_t i = 0; i < numbers.size() && meant.empty() && !is_thread; ++i) {
+      const bool is_other = numbers[i].kind == NumberKind::diameter && (i == 0 || !has_recess);
+      if (numbers[i].kind != NumberKind::any && !is_other && noted_.with_all(circles, {&numbers[i], 1}).empty())
         found_.untrue.push_back({place, "nothing of " + written(numbers[i]) + " there"});
+    }
     check(meant.size() <= circles.size(), "a note means some of the circles of its size");
     if (!meant.empty()) circles = std::move(meant);
     const bool are_all = static_cast<int>(circles.size()) <= repeats_of(dimension.text);

@@ -83,6 +83,12 @@ class DimensionedPart {
     return find_in(views);
   }
 
+  [[nodiscard]] sheet::FreeFaces without_centre_lines() const {
+    std::vector<sheet::DimensionsInView> views = views_;
+    for (sheet::DimensionsInView& view : views) view.has_centre_lines = false;
+    return find_in(views);
+  }
+
   /// With another text in the row of a label.
   [[nodiscard]] sheet::FreeFaces with_row(const std::string& label, const std::string& size) const {
     std::vector<sheet::DimensionsInView> views = views_;

@@ -109,6 +109,7 @@ TEST(StatedTexts, OfNotesAreThoseOfTheHole) {
   EXPECT_EQ(untrue(said(part, "<> ↧12", "<> ↧12 ⌵⌀12×90°")),
             "'⌀8 ↧12 ⌵⌀12×90°': the part has nothing of ⌀12 there"
             "'⌀8 ↧12 ⌵⌀12×90°': the part has nothing of 90° there");
+  EXPECT_EQ(untrue(said(part, "<> ↧12", "⌀8 ON ⌀56 BC ↧12")), "");
   EXPECT_EQ(untrue(said(part, "<> ↧12", "M8 ↧10")), "") << "the thread may be shorter than the hole";
 }
 
@@ -170,6 +171,16 @@ TEST(StatedTexts, OfPointsThatAreNotThoseOfDrillsHaveAnAngle) {
         without_angle += one.sentence.find("its angle") == std::string::npos ? 0 : 1;
     EXPECT_GE(without_angle, 1U) << angle;
   }
+}
+
+// One step of a shaft could be anywhere beside the other.
+TEST(StatedTexts, SayNothingOfAxesWithoutCentreLines) {
+  const DimensionedPart part(shaft({{0, 0}, {0, 10}, {20, 10}, {20, 6}, {50, 6}, {50, 0}}));
+  EXPECT_EQ(told(part.free()), "");
+  const sheet::FreeFaces without = part.without_centre_lines();
+  ASSERT_FALSE(without.free.empty());
+  for (const sheet::FreeFace& one : without.free)
+    EXPECT_TRUE(one.sentence.ends_with(", or centre lines")) << one.sentence;
 }
 
 // Nothing of a round part turns with the axes of the views, along which the places of its boss are given.
