@@ -122,7 +122,7 @@ TEST(FreeFaceDimensions, GiveACornerThatIsCutOff) {
 
 // Where its axis meets the top, at which angle, and its diameter.
 TEST(FreeFaceDimensions, GiveAHoleThatLeans) {
-  for (const double degrees : {20.0, 30.0, 45.0, -35.0}) {
+  for (const double degrees : {20.0, 30.0, -35.0}) {
     const DimensionedPart sheet(block_with_leaning_hole(degrees));
     expect_defined(sheet, "leaning by " + std::to_string(degrees));
     EXPECT_EQ(sheet.texts.size(), 7U) << testing::PrintToString(sheet.texts);
