@@ -26,9 +26,12 @@ std::array<Vec2, 2> in_circle(const drawing::Segment& segment, const MeasuredCir
   return {circle.in_spokes(segment.from - circle.centre), circle.in_spokes(segment.to - circle.centre)};
 }
 
+// Whether a line is a chord of the circle: both ends are beside it, unlike those of an edge that only passes.
 bool is_along(const std::array<Vec2, 2>& line, double off) {
   const Vec2 along = line[1] - line[0], spoke = (line[0] + line[1]) / 2.0;
-  return std::abs(glm::length(spoke) - 1) <= off && std::abs(cross(along, spoke)) >= std::abs(glm::dot(along, spoke));
+  const auto is_beside = [&](const Vec2& place) { return std::abs(glm::length(place) - 1) <= off; };
+  return is_beside(line[0]) && is_beside(spoke) && is_beside(line[1]) &&
+         std::abs(cross(along, spoke)) >= std::abs(glm::dot(along, spoke));
 }
 
 bool has_line_along(const drawing::ViewDrawing& drawing, const MeasuredCircle& circle, bool visible_only = false) {
