@@ -234,14 +234,13 @@ void keep_shown_arc(MeasuredCircle& measured, const WorldCircle& circle, const S
 
 // Where an arc begins and its sweep, from the order of its vertices on paper.
 MeasuredCircle on_paper(const WorldCircle& circle, const Sight& sight, const AnchoredDimension& dimension) {
-  MeasuredCircle measured{sight.page(circle.centre), circle.radius * sight.millimetres(),     0,
-                          2 * std::numbers::pi,      dimension.type == DimensionType::radius, dimension.is_label};
+  MeasuredCircle measured{sight.page(circle.centre),    circle.radius * sight.millimetres(),     0,
+                          circle.whole ? full_turn : 0, dimension.type == DimensionType::radius, dimension.is_label};
   measured.value = measured.is_radius ? circle.radius : 2 * circle.radius;
   if (circle.whole && sight.drawing.shown.breaks.any()) keep_shown_arc(measured, circle, sight);
   if (circle.whole) return measured;
   std::optional<Vec2> before;
   const Vec2 whole_centre = sight.whole_page(circle.centre);
-  measured.sweep = 0;
   for (const Vec3& vertex : circle.rim) {
     const Vec2 spoke = sight.whole_page(vertex) - whole_centre;
     if (before) measured.sweep += portable_atan2(glm::dot(left_of(*before), spoke), glm::dot(*before, spoke));

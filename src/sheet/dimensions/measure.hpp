@@ -4,12 +4,12 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
+#include "base/angle.hpp"
 #include "base/vec.hpp"
 #include "drawing/view_drawing.hpp"
 #include "sheet/dimension_text.hpp"
@@ -60,7 +60,7 @@ struct MeasuredCircle {
   double value = 0;       ///< in the world, mm
   std::optional<std::array<Vec2, 2>> spokes{};  ///< of an ellipse: images of two perpendicular spokes
 
-  [[nodiscard]] bool is_whole() const { return std::abs(sweep) >= 2 * std::numbers::pi; }
+  [[nodiscard]] bool is_whole() const { return std::abs(sweep) >= full_turn; }
   /// A direction from the centre in lengths of the spokes: 1 where it meets the circle.
   [[nodiscard]] Vec2 in_spokes(const Vec2& off) const {
     if (!spokes) return off / radius;

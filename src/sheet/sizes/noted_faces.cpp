@@ -42,7 +42,6 @@ std::vector<Row> NotedFaces::rows_of(const NotedNumber& number, const WorldCircl
   return rows;
 }
 
-// The circle of a dimension, and for "4×" those about other axes: of the same size, or if there are none, of any.
 std::vector<WorldCircle> NotedFaces::equal_circles(const AnchoredDimension& dimension) const {
   const WorldCircle& circle = dimension.circles.front();
   if (dimension.is_label) return {circle};

@@ -93,9 +93,8 @@ std::string turns_of(const Mat3& frame) {
        {"x", portable_atan2(-frame[1][2], frame[2][2])}}};
   std::string text;
   for (const auto& [axis, turn] : turns) {
-    const std::string angle = format_fixed(turn * degrees, 6);
     if (std::abs(turn) <= features::parallel * features::parallel) continue;
-    text += std::string(text.empty() ? "" : " ") + "rotate:" + axis + "," + angle;
+    text += std::string(text.empty() ? "" : " ") + "rotate:" + axis + "," + format_fixed(turn * degrees, 6);
   }
   return text;
 }
