@@ -287,10 +287,9 @@ std::vector<sheet::Callout> attach(sheet::PlacedLayer& placed, std::span<const s
 }
 
 // Everything that is in the way of dimensions of a view.
-sheet::Neighbours in_the_way(sheet::Neighbours around, const SheetInput& input, std::span<const ViewResult> views,
-                             std::size_t view, const sheet::DimensionStyle& style) {
-  sheet::Neighbours neighbours = with_other_views(std::move(around), views, view);
-  if (dimensions_features(input.scene)) add_centre_lines(neighbours.boxes, views[view]);
+sheet::Neighbours in_the_way(const sheet::Neighbours& around, const SheetInput& input,
+                             std::span<const ViewResult> views, std::size_t view, const sheet::DimensionStyle& style) {
+  sheet::Neighbours neighbours = beside_view(around, input, views, view, style.lettering);
   for (const sheet::HoleTable& table : input.annotations[view].tables) {
     sheet::Layer origin;
     sheet::draw_origin(origin, table, views[view].drawing, style);
@@ -385,8 +384,7 @@ void add_callouts(AnnotationLayers& result, sheet::Neighbours& around, const She
     }
     if (callouts.empty()) continue;
     const drawing::ViewDrawing& drawing = views[i].drawing;
-    sheet::Neighbours neighbours = with_other_views(around, views, i);
-    add_centre_lines(neighbours.boxes, views[i]);
+    const sheet::Neighbours neighbours = beside_view(around, input, views, i, style.lettering);
     sheet::CalloutLayers layers = sheet::callout_layers(drawing.name, style);
     const sheet::CalloutFaults faults = sheet::place_callouts(layers, callouts, drawing, style, neighbours);
     for (const auto& [number, box] : faults.places) result.places.push_back({callouts[number].requirement, i, box});

@@ -9,11 +9,11 @@
 #include <string_view>
 #include <utility>
 
-#include "annotations/centre_lines.hpp"
 #include "annotations/cutting_plane_line.hpp"
 #include "annotations/hatch.hpp"
 #include "annotations/limit_lines.hpp"
 #include "composition/annotation_layers.hpp"
+#include "composition/centre_layers.hpp"
 #include "composition/detail_layers.hpp"
 #include "construction/figure.hpp"
 #include "drawing/chains.hpp"
@@ -129,22 +129,6 @@ std::vector<std::size_t> views_to_hatch(const std::vector<ViewResult>& views) {
   for (std::size_t i = 0; i < views.size(); ++i)
     if (!views[i].drawing.shown.detail || !is_here(views[i].drawing.shown.detail->parent)) hatched.push_back(i);
   return hatched;
-}
-
-std::vector<sheet::Layer> centre_layers(const ViewResult& view, const ViewOptions& options,
-                                        const sheet::LineWidths& widths, const std::vector<sheet::Layer>& lines,
-                                        const Progress& progress) {
-  const bool divides = view.section && !view.section->divides.empty();
-  const bool is_half = std::any_of(view.drawing.shown.limits.begin(), view.drawing.shown.limits.end(),
-                                   [](const drawing::Limit& limit) { return limit.symmetric; });
-  if (!options.centre_lines && !divides && !is_half) return {};
-  progress.begin("drawing centre lines");
-  sheet::Layer layer = sheet::empty_layer(view.drawing.name, scene::SheetLine::centre, widths);
-  if (options.centre_lines)
-    layer = sheet::centre_lines({view.drawing, view.features, options.styles}, widths, lines, progress);
-  if (divides) sheet::add_dividing_lines(layer, view.drawing, *view.section, widths);
-  sheet::add_symmetry_lines(layer, view.drawing, widths);
-  return {std::move(layer)};
 }
 
 // Dimensions are placed around labels, centre lines without regard to them.

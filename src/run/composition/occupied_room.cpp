@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <numbers>
+#include <utility>
 
+#include "composition/centre_layers.hpp"
 #include "drawing/drawing.hpp"
 #include "sheet/boxes.hpp"
 #include "sheet/frame.hpp"
@@ -118,41 +119,13 @@ sheet::Neighbours with_other_views(sheet::Neighbours neighbours, std::span<const
   return neighbours;
 }
 
-void add_centre_lines(std::vector<sheet::TurnedBox>& boxes, const ViewResult& view) {
-  constexpr double past = 3;  // mm
-  const drawing::ViewDrawing& drawing = view.drawing;
-  const auto page = [&drawing](const Vec3& p) { return drawing::position_on_page(drawing, p); };
-  const auto is_seen_along = [&drawing](const Vec3& axis) {
-    return glm::length(glm::cross(axis, drawing.projection.n)) <= 1e-6;
-  };
-  const auto add = [&](const features::CentredRound& round) {
-    const Vec2 from = page(round.rings.front().centre), to = page(round.rings.back().centre);
-    double radius = 0;
-    for (const features::Ring& ring : round.rings) radius = std::max(radius, ring.radius);
-    const double reach = radius * drawing.scale + past;
-    // The ends of a disc seen from the side may be nearly one point.
-    const Vec2 apart = to - from, image(drawing.world_to_page * Vec4(round.axis, 0));
-    const Vec2 along = glm::length(apart) > past ? apart : image;
-    if (!is_seen_along(round.axis) && glm::length(along) > 0) {
-      const Vec2 more = (glm::dot(apart, along) < 0 ? -past : past) * glm::normalize(along);
-      boxes.push_back(sheet::line_box(from - more, to + more));
-    } else {
-      boxes.push_back(sheet::line_box(from - Vec2(reach, 0), from + Vec2(reach, 0)));
-      boxes.push_back(sheet::line_box(from - Vec2(0, reach), from + Vec2(0, reach)));
-    }
-  };
-  const auto add_circle = [&](const features::PitchCircle& circle) {
-    constexpr int parts = 48;
-    const Vec2 centre = page(circle.centre);
-    const auto at = [&](int i) {
-      return centre + circle.radius * drawing.scale * sheet::turned_to(2 * std::numbers::pi * i / parts);
-    };
-    for (int i = 0; i < parts && is_seen_along(circle.axis); ++i) boxes.push_back(sheet::line_box(at(i), at(i + 1)));
-  };
-  for (const features::CentredRound& round : view.features.round) add(round);
-  for (const features::PitchCircle& circle : view.features.pitch_circles) add_circle(circle);
-  for (const features::CentredSlot& slot : view.features.slots)
-    for (const features::CentredRound& end : slot.ends) add(end);
+sheet::Neighbours beside_view(sheet::Neighbours neighbours, const SheetInput& input, std::span<const ViewResult> views,
+                              std::size_t view, const sheet::Lettering& lettering) {
+  neighbours = with_other_views(std::move(neighbours), views, view);
+  const sheet::LineWidths widths = sheet::line_widths(input.plan.furniture.paper, input.plan.furniture.styles);
+  for (const sheet::Layer& layer : centre_layers(views[view], input.views.plans[view].options, widths, {}))
+    add_boxes(neighbours.boxes, layer, lettering);
+  return neighbours;
 }
 
 std::vector<sheet::Rectangle> taken_by(const sheet::Neighbours& around, std::span<const ViewResult> views) {

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "composition/layout.hpp"
 #include "dimensions/conflicts.hpp"
 #include "sheet/furniture.hpp"
 #include "sheet/sheet_layers.hpp"
@@ -18,15 +19,16 @@ void add_boxes(std::vector<sheet::TurnedBox>& boxes, const sheet::Layer& layer, 
 /// Adds a box for each line of a layer: symbols have many short ones.
 void add_outlines(std::vector<sheet::TurnedBox>& boxes, const sheet::Layer& symbols);
 
-/// Adds the places where centre lines of features will be.
-void add_centre_lines(std::vector<sheet::TurnedBox>& boxes, const ViewResult& view);
-
 /// Objects on the sheet apart from the views.
 sheet::Neighbours neighbours_of(const sheet::SheetFurniture& furniture, const std::vector<sheet::Text>& labels,
                                 const std::vector<sheet::Layer>& marks, const sheet::Lettering& lettering);
 
 /// The same with all views but one.
 sheet::Neighbours with_other_views(sheet::Neighbours neighbours, std::span<const ViewResult> views, std::size_t view);
+
+/// The same with the centre lines of this view.
+sheet::Neighbours beside_view(sheet::Neighbours neighbours, const SheetInput& input, std::span<const ViewResult> views,
+                              std::size_t view, const sheet::Lettering& lettering);
 
 /// The parts of a sheet on which no table may lie; of many boxes, the cells of a grid that they are in.
 std::vector<sheet::Rectangle> taken_by(const sheet::Neighbours& around, std::span<const ViewResult> views);

@@ -12,6 +12,7 @@
 #include "known_parts.hpp"
 #include "sheet/boxes.hpp"
 #include "sheet/lettering.hpp"
+#include "svg/path.hpp"
 
 namespace epura::test {
 
@@ -67,6 +68,20 @@ inline std::vector<std::pair<std::string, sheet::TurnedBox>> boxes_in(const std:
         {m[6].str(), {Vec2(number(1), number(2)) + shift * along + height / 2 * up, along, {width / 2, height / 2}}});
   }
   return boxes;
+}
+
+// The straight lines of all paths of a drawing, as boxes without width; y is down. Dashes are not told apart.
+inline std::vector<sheet::TurnedBox> lines_in(const std::string& svg) {
+  static const std::regex path("<path[^>]* d=\"([^\"]*)\"/>");
+  std::vector<sheet::TurnedBox> lines;
+  for (std::sregex_iterator it(svg.begin(), svg.end(), path), end; it != end; ++it) {
+    svg::PieceRoom room(svg.size(), "a drawing");
+    const svg::Path read = svg::read_path((*it)[1].str(), room).value();
+    for (const svg::Line& line : read.lines)
+      for (std::size_t i = 1; i < line.points.size(); ++i)
+        lines.push_back(sheet::line_box(line.points[i - 1], line.points[i]));
+  }
+  return lines;
 }
 
 }  // namespace epura::test

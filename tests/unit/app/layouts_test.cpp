@@ -45,28 +45,22 @@ TEST(Layouts, TheTitleBlockIsClosedToDimensions) {
   EXPECT_TRUE(std::any_of(around.views.begin(), around.views.end(), is_in_it));
 }
 
-// From the side; a cross as of its circle would keep dimensions away from below and above it.
-TEST(Layouts, TheCentreLineOfADiscIsItsAxis) {
-  for (const double thickness : {0.0, 0.5, 2.0, 5.0, 40.0}) {
-    pipeline::ViewResult view;
-    view.drawing.scale = 1;
-    view.drawing.projection.u = {1, 0, 0};
-    view.drawing.projection.v = {0, 0, 1};
-    view.drawing.projection.n = {0, -1, 0};
-    view.drawing.world_to_page = Mat4(1);
-    view.drawing.world_to_page[1] = {0, 0, 1, 0};
-    view.drawing.world_to_page[2] = {0, 1, 0, 0};
-    features::CentredRound& disc = view.features.round.emplace_back();
-    disc.axis = {0, 0, 1};
-    for (const double z : {thickness, 0.0}) disc.rings.push_back({{7, 0, z}, 100});
-    std::vector<sheet::TurnedBox> boxes;
-    pipeline::add_centre_lines(boxes, view);
-    ASSERT_EQ(boxes.size(), 1U) << thickness;
-    const sheet::Rectangle line = sheet::around(boxes[0]);
-    EXPECT_NEAR(line.min.x, 7, 0.5) << thickness;
-    EXPECT_NEAR(line.max.x, 7, 0.5) << thickness;
-    EXPECT_LE(line.max.y, thickness + 5) << thickness;
-    EXPECT_GE(line.min.y, -5) << thickness;
+// Neither lines of dimensions nor centre lines pass through them.
+TEST(Layouts, TextsOfAxonometricViewsAreClearOfLines) {
+  const Folder folder;
+  std::vector<std::string> parts{EPURA_TEST_SAMPLES "/step/clamp.step"};
+  for (const KnownPart& part : plates()) parts.push_back(folder.file(part.name + ".obj", part.obj));
+  for (const std::string& part : parts) {
+    const Outcome run = epura({"draw", part, "--projection", "isometric", "--dimensions", "auto", "--sheet", "A3",
+                               "--scale", "auto", "--svg-text", "text", "-o", "x.svg"},
+                              folder / "");
+    EXPECT_EQ(run.code, 0) << run.err;
+    const std::string svg = read_file(folder / "x.svg");
+    const std::vector<sheet::TurnedBox> lines = lines_in(svg);
+    EXPECT_GT(lines.size(), 20U) << part;
+    for (const auto& [text, box] : boxes_in(dimension_layers(svg)))
+      for (const sheet::TurnedBox& line : lines)
+        EXPECT_FALSE(sheet::overlap(box, line)) << part << ": " << text << " at " << line.centre.x;
   }
 }
 
