@@ -73,15 +73,23 @@ bool are_one_circle(const WorldCircle& a, const WorldCircle& b) {
          features::distance_from_line(b.centre, a.centre, a.axis) <= slack;
 }
 
+// The hole of which a circle is; null if it is of none.
+const features::HoleFeature* hole_at(const WorldCircle& circle, const features::PartFeatures& features) {
+  const auto hole = std::ranges::find_if(features.holes, [&circle](const features::HoleFeature& one) {
+    return are_one_circle({one.mouth, one.axis, one.called() / 2, {}, true}, circle);
+  });
+  return hole == features.holes.end() ? nullptr : &*hole;
+}
+
 // Whether two circles are those of holes that one note describes.
 bool are_of_equal_holes(const WorldCircle& a, const WorldCircle& b, const features::PartFeatures& features) {
-  const auto hole_at = [&features](const WorldCircle& circle) {
-    return std::find_if(features.holes.begin(), features.holes.end(), [&circle](const features::HoleFeature& hole) {
-      return are_one_circle({hole.mouth, hole.axis, hole.called() / 2, {}, true}, circle);
-    });
-  };
-  const auto one = hole_at(a), other = hole_at(b);
-  return one != features.holes.end() && other != features.holes.end() && features::are_equal(*one, *other);
+  const features::HoleFeature *one = hole_at(a, features), *other = hole_at(b, features);
+  return one != nullptr && other != nullptr && features::are_equal(*one, *other);
+}
+
+// The place in a hole where another place is in an equal hole: axonometric views show bores below their recesses.
+Vec3 place_in(const features::HoleFeature& hole, const features::HoleFeature& equal, const Vec3& place) {
+  return hole.mouth + glm::dot(place - equal.mouth, equal.axis) * hole.axis;
 }
 
 bool is_across(const Measure& length, const WorldCircle& circle) {
@@ -162,12 +170,12 @@ void leave_to_others(DimensionDescription& automatic, int count, const MeasuredG
              are_one_circle({given->circle->centre, given->circle->axis, given->circle->radius, {}, true}, one);
     });
   };
-  for (const features::HoleFeature& hole : features.holes) {
-    const WorldCircle other{hole.mouth, hole.axis, hole.called() / 2, {}, true};
-    if (!is_given(own) || is_given(other) || !are_of_equal_holes(own, other, features)) continue;
-    automatic.circle->centre = hole.mouth;
-    break;
-  }
+  const features::HoleFeature* at = is_given(own) ? hole_at(own, features) : nullptr;
+  const auto other = std::ranges::find_if(features.holes, [&](const features::HoleFeature& hole) {
+    return at != nullptr && features::are_equal(*at, hole) &&
+           !is_given({hole.mouth, hole.axis, hole.called() / 2, {}, true});
+  });
+  if (other != features.holes.end()) automatic.circle->centre = place_in(*other, *at, circle.centre);
   automatic.text.value = times(static_cast<std::size_t>(all - count)) + text.substr(times(std::size_t(all)).size());
 }
 
@@ -226,10 +234,10 @@ std::vector<scene::FeatureCircle> equal_circles(const DimensionDescription& auto
       equal.push_back(std::move(one));
   };
   if (*automatic.type == DimensionType::diameter) {
+    const features::HoleFeature* at = hole_at(circle_at(own), features);
     for (const features::HoleFeature& hole : features.holes)
-      if (const scene::FeatureCircle one{hole.mouth, hole.axis, hole.called() / 2, {}};
-          glm::dot(own.axis, one.axis) > 0 && are_of_equal_holes(circle_at(own), circle_at(one), features))
-        add(one);
+      if (at != nullptr && glm::dot(own.axis, hole.axis) > 0 && features::are_equal(*at, hole))
+        add({place_in(hole, *at, own.centre), hole.axis, hole.called() / 2, {}});
     return equal;
   }
   const auto is_own = [&](const scene::FeatureCircle& end) { return are_one_circle(circle_at(own), circle_at(end)); };
