@@ -17,6 +17,19 @@ constexpr double no_length = 1e-6;  // mm
 
 double span_of(const MeasuredLength& length) { return std::abs(glm::dot(length.to - length.from, length.along)); }
 
+// Of a text and the space around it, above the dimension line.
+double top_of(const DimensionText& text, const DimensionStyle& style) { return 2 * style.above() + style.height(text); }
+
+// How far extension lines reach over the line beside a text, to its right if this is positive.
+double reach_over(double lean, const DimensionText& text, const DimensionStyle& style) {
+  return lean * top_of(text, style);
+}
+
+double lean_of(const MeasuredLength& length) {
+  const Vec2 read = reading_direction(length.along);
+  return glm::dot(length.extension, read) / glm::dot(length.extension, left_of(read));
+}
+
 // The point where the extension line through an anchor meets the dimension line.
 Vec2 foot_of(const MeasuredLength& length, const Vec2& anchor, double distance) {
   const Vec2 across = left_of(length.along);
@@ -43,10 +56,13 @@ Layout layout_of_arrows(const DimensionLine& base, const DimensionStyle& style) 
   return {outward, {-tail, base.span + tail}, base.span / 2};
 }
 
-Layout layout_beside(const DimensionLine& base, double width, const TextBeside& beside, const DimensionStyle& style) {
+Layout layout_beside(const DimensionLine& base, const DimensionText& text, const TextBeside& beside,
+                     const DimensionStyle& style) {
   Layout layout = layout_of_arrows(base, style);
   const bool behind = beside.at_high;
-  const double lead = (layout.outward ? 0 : style.arrow()) + 2 * style.above() + beside.farther;
+  const double reach = reach_over(base.lean, text, style), width = style.width(text);
+  const double lead = (layout.outward ? 0 : style.arrow()) + 2 * style.above() + beside.farther +
+                      std::max(behind ? reach : -reach, 0.0);
   const double past = lead + width + style.above();
   layout.text_middle = behind ? base.span + lead + width / 2 : -lead - width / 2;
   (behind ? layout.line.end : layout.line.begin) =
@@ -54,11 +70,13 @@ Layout layout_beside(const DimensionLine& base, double width, const TextBeside& 
   return layout;
 }
 
-Layout layout_of(const DimensionLine& base, double width, int place, const DimensionStyle& style) {
-  if (width + style.above() > base.span) return layout_beside(base, width, {place == 0, 0}, style);
+Layout layout_of(const DimensionLine& base, const DimensionText& text, int place, const DimensionStyle& style) {
+  const double reach = reach_over(base.lean, text, style);
+  const double left = base.span - std::abs(reach) - style.width(text) - style.above();
+  if (left < 0) return layout_beside(base, text, {place == 0, 0}, style);
   constexpr std::array<double, text_places> shifts{0, 0.5, -0.5, 1, -1};
   Layout layout = layout_of_arrows(base, style);
-  layout.text_middle += shifts[std::size_t(place)] * (base.span - width - style.above()) / 2;
+  layout.text_middle += reach / 2 + shifts[std::size_t(place)] * left / 2;
   return layout;
 }
 
@@ -87,7 +105,7 @@ namespace {
 // The line and its arrows, with a zone of this height above it.
 void add_line_with_arrows(PlacedDimension& dimension, const DimensionLine& line, const Layout& layout, double top,
                           const DimensionStyle& style) {
-  const auto& [low, high, read, span, low_open, high_open] = line;
+  const auto& [low, high, read, span, low_open, high_open, lean] = line;
   check(layout.line.begin <= 0 && layout.line.end >= span, "a dimension line reaches from end to end");
   const Vec2 begin = low + layout.line.begin * read, end = low + layout.line.end * read;
   add_line(dimension, begin, end);
@@ -107,7 +125,7 @@ void add_line_with_arrows(PlacedDimension& dimension, const DimensionLine& line,
 void add_with_text(PlacedDimension& dimension, const DimensionLine& line, const DimensionText& text,
                    const Layout& layout, const DimensionStyle& style) {
   // From the arrows below the line to the top of the text.
-  add_line_with_arrows(dimension, line, layout, 2 * style.above() + style.height(text), style);
+  add_line_with_arrows(dimension, line, layout, top_of(text, style), style);
   set_text(dimension, text, {line.low + layout.text_middle * line.read, line.read, style.above()}, style);
 }
 
@@ -120,8 +138,13 @@ DimensionLine begin_dimension(PlacedDimension& dimension, const MeasuredLength& 
   if (swaps) std::swap(low, high);
   // An end at which the dimension line breaks off.
   const bool low_open = length.open && *length.open == swaps, high_open = length.open && *length.open != swaps;
-  const DimensionLine line{
-      foot_of(length, low, distance), foot_of(length, high, distance), read, span_of(length), low_open, high_open};
+  const DimensionLine line{foot_of(length, low, distance),
+                           foot_of(length, high, distance),
+                           read,
+                           span_of(length),
+                           low_open,
+                           high_open,
+                           lean_of(length)};
   check(line.span >= 0, "a length is not negative");
   if (!low_open) add_extension_line(dimension, low, line.low, style);
   if (!high_open) add_extension_line(dimension, high, line.high, style);
@@ -133,11 +156,12 @@ DimensionLine begin_dimension(PlacedDimension& dimension, const MeasuredLength& 
 
 void add_dimension_line(PlacedDimension& dimension, const DimensionLine& line, const DimensionText& text, int place,
                         const DimensionStyle& style) {
-  add_with_text(dimension, line, text, layout_of(line, style.width(text), place, style), style);
+  add_with_text(dimension, line, text, layout_of(line, text, place, style), style);
 }
 
 bool fits_inside(const MeasuredLength& length, const DimensionText& text, const DimensionStyle& style) {
-  return style.width(text) + style.above() <= span_of(length);
+  const double reach = reach_over(lean_of(length), text, style);
+  return style.width(text) + style.above() <= span_of(length) - std::abs(reach);
 }
 
 PlacedDimension straight_dimension(const MeasuredLength& length, const DimensionText& text, double distance, int place,
@@ -152,7 +176,7 @@ PlacedDimension straight_dimension_beside(const MeasuredLength& length, const Di
                                           const TextBeside& beside, const DimensionStyle& style) {
   PlacedDimension dimension;
   const DimensionLine line = begin_dimension(dimension, length, distance, style);
-  add_with_text(dimension, line, text, layout_beside(line, style.width(text), beside, style), style);
+  add_with_text(dimension, line, text, layout_beside(line, text, beside, style), style);
   return dimension;
 }
 

@@ -35,6 +35,7 @@ struct DimensionLine {
   Vec2 low, high, read;
   double span;
   bool low_open = false, high_open = false;
+  double lean = 0;  ///< of the extension lines, along `read` for each millimetre to its left
 };
 
 /// Adds it with arrows and a text, which may need more of the line outside.

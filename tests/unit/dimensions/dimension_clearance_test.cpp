@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "dimensions/forms.hpp"
+#include "dimensions/straight.hpp"
 #include "dimensions/surroundings.hpp"
 #include "dimensions_support.hpp"
 
@@ -276,6 +277,27 @@ TEST(DimensionClearance, LeadersEndWhereAnEllipseIsSeen) {
     }
     EXPECT_LT(nearest, 0.05) << wall;
   }
+}
+
+// Axonometric views measure along their axes, at 60 degrees to each other on paper.
+TEST(DimensionClearance, TextsAreClearOfLeaningExtensionLines) {
+  const sheet::DimensionStyle style{sheet::Lettering(), 0.25};
+  const sheet::DimensionText text("4× 25");
+  const Vec2 along(0.5 * std::sqrt(3), 0.5);
+  for (const Vec2& extension : {Vec2(along.x, -along.y), Vec2(0, 1), Vec2(-along.y, along.x)})
+    for (const double size : {40.0, 18.0, 6.0})
+      for (const double distance : {12.0, -12.0}) {
+        const sheet::MeasuredLength length{{0, 0}, size * along, along, extension};
+        std::vector<sheet::PlacedDimension> all;
+        for (int place = 0; place < sheet::text_places; ++place)
+          all.push_back(sheet::straight_dimension(length, text, distance, place, style));
+        for (const bool at_high : {true, false})
+          all.push_back(sheet::straight_dimension_beside(length, text, distance, {at_high, 0}, style));
+        for (const sheet::PlacedDimension& one : all)
+          for (const sheet::Stroke& line : one.strokes)
+            EXPECT_FALSE(sheet::overlap(one.text_boxes.at(0), sheet::line_box(line.points.front(), line.points.back())))
+                << extension.x << ' ' << extension.y << ", " << size << " at " << distance;
+      }
 }
 
 // 40 from the corner of an angle of 60 degrees, whose legs are 20 long, a post stands in the way of one of them.
