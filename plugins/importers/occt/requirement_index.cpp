@@ -20,7 +20,7 @@ struct Join {
 
 constexpr int itself = 1000;  // no argument: the entity
 
-constexpr std::array<Join, 19> joins{
+constexpr std::array<Join, 23> joins{
     {{"GEOMETRIC_ITEM_SPECIFIC_USAGE", 2, 4, &RequirementIndex::items},
      {"ITEM_IDENTIFIED_REPRESENTATION_USAGE", 2, 4, &RequirementIndex::items},
      {"SHAPE_ASPECT_RELATIONSHIP", 2, 3, &RequirementIndex::parts},
@@ -38,6 +38,10 @@ constexpr std::array<Join, 19> joins{
      {"PROPERTY_DEFINITION", 2, itself, &RequirementIndex::properties},
      {"PROPERTY_DEFINITION_RELATIONSHIP", 2, 3, &RequirementIndex::property_parts},
      {"MEASURE_QUALIFICATION", 2, 3, &RequirementIndex::qualifiers},
+     {"ID_ATTRIBUTE", 1, itself, &RequirementIndex::identities},
+     {"UUID_ATTRIBUTE", 1, itself, &RequirementIndex::identities},
+     {"V4_UUID_ATTRIBUTE", 1, itself, &RequirementIndex::identities},
+     {"V5_UUID_ATTRIBUTE", 1, itself, &RequirementIndex::identities},
      {"DRAUGHTING_MODEL_ITEM_ASSOCIATION", 4, 2, &RequirementIndex::shown},
      {"DRAUGHTING_MODEL_ITEM_ASSOCIATION_WITH_PLACEHOLDER", 4, 2, &RequirementIndex::shown}}};
 

@@ -26,6 +26,7 @@ struct RequirementIndex {
   References definitions;      ///< of a zone: what says more of it
   References above;            ///< of a tolerance: the one in whose frame it stands below
   References qualifiers;       ///< of a measure
+  References identities;       ///< of anything: what gives it an identity that outlasts the file
 };
 
 RequirementIndex index_of(const StepGraph& graph);

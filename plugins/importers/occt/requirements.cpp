@@ -110,6 +110,7 @@ class RequirementReader {
       } else {
         continue;
       }
+      take_identity(number, requirement);
       found.push_back(std::move(requirement));
     }
     result.read = std::move(read_);
@@ -126,6 +127,13 @@ class RequirementReader {
     Measure measure = measure_of(graph_, number);
     qualify(measure, graph_, listed(index_.qualifiers, number));
     return measure;
+  }
+
+  // A UUID or an id that programs exchange says more than a name, which is often the type again.
+  void take_identity(EntityNumber number, Requirement& requirement) const {
+    for (const EntityNumber identity : listed(index_.identities, number))
+      for (const Record& record : graph_.find(identity)->records)
+        if (const std::string text = unquoted(argument_of(record, 0)); !text.empty()) requirement.name = text;
   }
 
   void add_items(EntityNumber aspect, Requirement& requirement) {

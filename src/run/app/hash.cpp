@@ -5,6 +5,7 @@
 #include <nettle/sha1.h>
 #include <nettle/sha2.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 
@@ -58,6 +59,14 @@ std::string uuid_of(std::string_view name, std::string_view space) {
   std::string uuid = hexadecimal(digest.data(), uuid_size);
   for (const std::size_t place : {8, 13, 18, 23}) uuid.insert(place, 1, '-');
   return uuid;
+}
+
+bool is_uuid(std::string_view text) {
+  constexpr std::string_view form = "00000000-0000-0000-0000-000000000000";
+  const auto fits = [](char c, char place) {
+    return place == '-' ? c == '-' : std::string_view("0123456789abcdefABCDEF").find(c) != std::string_view::npos;
+  };
+  return std::equal(text.begin(), text.end(), form.begin(), form.end(), fits);
 }
 
 }  // namespace epura

@@ -18,4 +18,7 @@ std::string hash_of_file(const std::filesystem::path& path);
 /// The same name has the same one wherever and whenever.
 std::string uuid_of(std::string_view name, std::string_view space = "6ba7b811-9dad-11d1-80b4-00c04fd430c8");
 
+/// Whether a text is a UUID in its usual form.
+bool is_uuid(std::string_view text);
+
 }  // namespace epura

@@ -155,7 +155,8 @@ void add_item(pugi::xml_node item, const Ledger& ledger, const LedgerRow& row, c
   const std::string model = std::filesystem::path(ledger.model).filename().string();
   pugi::xml_node designator = item.append_child("CharacteristicDesignator");
   qif::add_text(designator, "Designator", std::to_string(row.characteristic));
-  qif::add_text(designator, "UUID", uuid_of(row.id, uuid_of(model, uuid_of(uuid_space))));
+  const std::string own = uuid_of(row.id, uuid_of(model, uuid_of(uuid_space)));
+  qif::add_text(designator, "UUID", is_uuid(row.name) ? to_lower(row.name) : own);
   qif::add_ids(item, "FeatureItemIds", links.feature_items);
 }
 
