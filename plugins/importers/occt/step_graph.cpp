@@ -36,7 +36,8 @@ bool tells_of_requirements(std::string_view keyword) {
                                                    "VALUE_RANGE",
                                                    "DOCUMENT",
                                                    "ROLE"};
-  const bool is_one = keyword == "PRODUCT_DEFINITION_SHAPE" || keyword == "REPRESENTATION";
+  const bool is_one =
+      keyword == "PRODUCT_DEFINITION_SHAPE" || keyword == "REPRESENTATION" || keyword.ends_with("ID_ATTRIBUTE");
   return is_one || std::any_of(parts.begin(), parts.end(),
                                [&](std::string_view part) { return keyword.find(part) != std::string_view::npos; });
 }

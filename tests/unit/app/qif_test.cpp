@@ -198,7 +198,7 @@ TEST_F(Qif, IdentitiesStay) {
 // One that the file gives stays, even if the file is renamed or written anew.
 TEST_F(Qif, TheIdentityOfTheFileIsThatOfThePlan) {
   const std::string identity = "F81D4FAE-7DEC-11D0-A765-00A0C91E6BF6";
-  write(tolerance(4000, "FLATNESS", "") + "#4090=V5_UUID_ATTRIBUTE('" + identity + "',(#4010));\n");
+  write(tolerance(4000, "FLATNESS", "") + "#4090=V5_UUID_ATTRIBUTE('" + identity + "',(#4000));\n");
   EXPECT_IMPORTER();
   EXPECT_EQ(text("//FlatnessCharacteristicItem/CharacteristicDesignator/UUID"), "f81d4fae-7dec-11d0-a765-00a0c91e6bf6");
   EXPECT_EQ(fault_of("a.qif"), "");
