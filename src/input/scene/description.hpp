@@ -74,6 +74,7 @@ struct ViewDescription {
   Located<int> sheet;                        ///< number of its sheet, from 1; by default the first
   Located<bool> centre_of_gravity{};         ///< whether its symbol is drawn; false by default
   Located<bool> centre_lines{};              ///< by default as for the run
+  bool is_automatic = false;                 ///< its sheet gets more views, as this one, where that lacks any
 };
 
 /// A plane that cuts the models; or parallel planes with steps between them; or planes that meet in axes, which are

@@ -52,8 +52,13 @@ pipeline::DrawnScene draw_unjudged(const scene::SceneDescription& scene, pipelin
   return pipeline::draw_scene(scene, options, {pipeline::silent_messages(), {}, watch});
 }
 
-// The older version on the sheets of the new one.
-void use_sheets(const std::vector<pipeline::FinishedSheet>& sheets, scene::SceneDescription& older) {
+// The older version on the sheets of the new one, with the views that were added to these.
+void use_sheets(const pipeline::DrawnScene& newer, scene::SceneDescription& older) {
+  const std::vector<pipeline::FinishedSheet>& sheets = newer.sheets;
+  if (std::ranges::any_of(older.views, &scene::ViewDescription::is_automatic)) {
+    older.views = newer.views;
+    for (scene::ViewDescription& view : older.views) view.is_automatic = false;
+  }
   for (std::size_t i = 0; i < std::min(sheets.size(), older.sheets.size()); ++i) {
     scene::SheetDescription& sheet = older.sheets[i];
     const pipeline::FinishedSheet& drawn = sheets[i];
@@ -194,7 +199,7 @@ Revising begin_revision(const DrawOptions& options, scene::SceneDescription& sce
 bool mark_revision(Revising revising, const pipeline::RunOptions& options, scene::SceneDescription& scene,
                    pipeline::DrawnScene& drawn, const pipeline::Messages& messages) {
   revising.older.revisions = scene.revisions;
-  use_sheets(drawn.sheets, revising.older);
+  use_sheets(drawn, revising.older);
   const pipeline::DrawnScene older = draw_unjudged(revising.older, options);
   const compare::Comparison comparison = compare::compare(pictures_of(older), pictures_of(drawn), tolerance);
   const std::size_t clouds = add_clouds(drawn.sheets, changes_of(comparison, drawn.sheets.size()), revising.revision);

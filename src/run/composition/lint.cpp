@@ -60,14 +60,24 @@ void find_cut_off(std::vector<report::Finding>& findings, const scene::SceneDesc
   }
 }
 
+void add_distinct(std::vector<std::string>& list, std::span<const std::string> more) {
+  for (const std::string& one : more)
+    if (std::find(list.begin(), list.end(), one) == list.end()) list.push_back(one);
+}
+
 // `held`: as of FreeFaces.
+sheet::Coverage coverage_of(const JudgedSheets& sheets, const features::PartFeatures& features,
+                            std::span<const char> held) {
+  const auto& [world, scene, views] = sheets;
+  const auto extents = features::true_extents(world);
+  return sheet::find_coverage(views, {world, features, extents}, notation_of(world, scene.sheets.front()), held);
+}
+
 void add_uncovered_sizes(report::Report& report, const JudgedSheets& sheets, std::span<const char> held,
                          const Progress& progress) {
   const auto& [world, scene, views] = sheets;
   const features::PartFeatures features = features::features_to_dimension(world, progress);
-  const auto extents = features::true_extents(world);
-  sheet::Coverage coverage =
-      sheet::find_coverage(views, {world, features, extents}, notation_of(world, scene.sheets.front()), held);
+  sheet::Coverage coverage = coverage_of(sheets, features, held);
   std::vector<report::Finding>& findings = report.findings;
   for (const std::string& what : coverage.undimensioned)
     findings.push_back({report::FindingKind::undimensioned, "", what});
@@ -76,7 +86,7 @@ void add_uncovered_sizes(report::Report& report, const JudgedSheets& sheets, std
   for (const sheet::DimensionsInView& view : views) find_cut_off(findings, scene, view);
   for (const std::string& what : coverage.repeated) findings.push_back({report::FindingKind::repeated, "", what});
   report.sizes = std::move(coverage.counts);
-  report.views_to_add = std::move(coverage.views_to_add);
+  add_distinct(report.views_to_add, coverage.views_to_add);
   report.transform_to_add = std::move(coverage.transform_to_add);
 }
 
@@ -138,7 +148,20 @@ HatchedFaces add_missing_sizes(report::Report& report, const JudgedSheets& sheet
   return add_free_faces(report, std::move(found), granted);
 }
 
-void add_missing_requirements(report::Report& report) {
+std::vector<std::string> views_for_sizes(const JudgedSheets& sheets, const Progress& progress) {
+  return coverage_of(sheets, features::features_to_dimension(sheets.world, progress), {}).views_to_add;
+}
+
+void warn_of_vain(const Messages& messages, std::span<const AcceptedFaces> accepted,
+                  std::span<const report::Finding> findings) {
+  for (const AcceptedFaces& one : accepted)
+    if (std::none_of(findings.begin(), findings.end(),
+                     [&one](const report::Finding& finding) { return finding.accepted == one.reason; }))
+      messages.warn("nothing is found of the accepted " + one.feature + "\n  hint: remove it from the scene");
+}
+
+void add_missing_requirements(report::Report& report, std::span<const std::string> views) {
+  add_distinct(report.views_to_add, views);
   for (const report::RequirementRow& row : report.requirements)
     if (row.is_missing())
       report.findings.push_back(

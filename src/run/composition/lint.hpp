@@ -12,6 +12,7 @@
 #include "report/report.hpp"
 #include "sizes/coverage.hpp"
 #include "view/projected_scene.hpp"
+#include "views/messages.hpp"
 #include "views/view_plan.hpp"
 
 namespace epura::pipeline {
@@ -52,8 +53,15 @@ struct Granted {
 HatchedFaces add_missing_sizes(report::Report& report, const JudgedSheets& sheets, const Granted& granted,
                                const Progress& progress);
 
-/// Adds the requirements that the sheets lack to the findings.
-void add_missing_requirements(report::Report& report);
+/// Views, as in --projection, that show sizes which no dimension gives for want of one.
+std::vector<std::string> views_for_sizes(const JudgedSheets& sheets, const Progress& progress);
+
+/// Tells which of them nothing is found of.
+void warn_of_vain(const Messages& messages, std::span<const AcceptedFaces> accepted,
+                  std::span<const report::Finding> findings);
+
+/// Adds the requirements that the sheets lack to the findings, and `views` that would show some to those to add.
+void add_missing_requirements(report::Report& report, std::span<const std::string> views);
 
 /// Models whose faces are not recognised, and faces of free form, that neither a tolerance nor a note gives.
 std::vector<report::Finding> undefined_free_forms(const world::World& world, const scene::SceneDescription& scene,

@@ -112,6 +112,13 @@ std::map<std::string, int> numbered_characteristics(const std::vector<FileRequir
   return numbers;
 }
 
+void warn_of_no_characteristics(const Messages& messages, const std::vector<FileRequirements>& files) {
+  if (numbered_characteristics(files).empty())
+    messages.warn(
+        "the models state nothing to be measured that is read, so no characteristic has a balloon\n  hint: "
+        "epura requirements lists what a file requires");
+}
+
 void set_zones(std::vector<FileRequirements>& files, const std::vector<std::pair<std::string, std::string>>& zones) {
   const RowsByKey rows = drawn_rows(files);
   for (const auto& [list, zone] : zones)

@@ -55,6 +55,9 @@ void take_back(std::vector<FileRequirements>& files, const std::vector<std::stri
 /// The number of each characteristic, by the `requirement` of what draws it.
 std::map<std::string, int> numbered_characteristics(const std::vector<FileRequirements>& files);
 
+/// Tells if there are none.
+void warn_of_no_characteristics(const Messages& messages, const std::vector<FileRequirements>& files);
+
 /// Where on the sheet others are: the fields of its frame by their `requirement`.
 void set_zones(std::vector<FileRequirements>& files, const std::vector<std::pair<std::string, std::string>>& zones);
 

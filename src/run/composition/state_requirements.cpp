@@ -16,6 +16,7 @@
 #include "composition/requirement_texts.hpp"
 #include "composition/requirement_words.hpp"
 #include "composition/stated_symbols.hpp"
+#include "composition/wanted_views.hpp"
 #include "features/tolerances.hpp"
 #include "scene/choices.hpp"
 #include "sizes/coordinates.hpp"
@@ -29,12 +30,6 @@ using importer::ModelRequirement;
 using importer::RequirementKind;
 
 constexpr const char* of_size = "it means the middle of its faces, whose dimension is not drawn";
-
-bool shows_an_axis(const projection::Projection& seen) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (std::abs(seen.n[axis]) <= max_tilt) return true;
-  return false;
-}
 
 // Views in which dimensions are true and everything is in its place; sections last, as for automatic dimensions.
 std::vector<FaceView> views_for_requirements(const SheetToState& sheet) {
@@ -397,56 +392,48 @@ class Statement {
   std::set<std::string> letters_{};  ///< of the datums on the sheets
 };
 
-// The six directions along the axes, by the names of the views from there.
-std::vector<FaceView> principal_views(const world::World& world) {
-  struct Direction {
-    const char* name;
-    Vec3 right, up;
-  };
-  const std::array<Direction, 6> directions{{{"front", {1, 0, 0}, {0, 0, 1}},
-                                             {"top", {1, 0, 0}, {0, 1, 0}},
-                                             {"left", {0, -1, 0}, {0, 0, 1}},
-                                             {"right", {0, 1, 0}, {0, 0, 1}},
-                                             {"bottom", {1, 0, 0}, {0, -1, 0}},
-                                             {"back", {-1, 0, 0}, {0, 0, 1}}}};
-  std::vector<FaceView> views;
-  for (const Direction& one : directions) {
-    projection::Projection seen;
-    seen.u = one.right;
-    seen.v = one.up;
-    seen.n = seen.projector = glm::cross(one.right, one.up);
-    views.emplace_back(one.name, seen, world);
-  }
-  return views;
+bool is_unseen(const report::RequirementRow& row) {
+  return row.is_missing() && (row.why == not_seen || row.why == line_not_seen);
 }
 
-// For what no view of the sheet shows: those that would show it, the one that shows most first.
-void propose_views(const scene::SceneDescription& scene, FileRequirements& file, const RequirementSubject& subject) {
-  const auto is_unseen = [](const report::RequirementRow& row) {
-    return row.is_missing() && (row.why == not_seen || row.why == line_not_seen);
-  };
-  if (std::none_of(file.rows.begin(), file.rows.end(), is_unseen)) return;
-  std::vector<std::pair<std::string, std::vector<std::size_t>>> shown;
-  for (const FaceView& view : principal_views(subject.world)) {
+// Normals and axes of the faces of what no view shows, each once.
+std::vector<Vec3> directions_of_unseen(const FileRequirements& file, const world::PlacedPart& part) {
+  std::set<int> faces;
+  for (std::size_t i = 0; i < file.rows.size(); ++i)
+    if (is_unseen(file.rows[i])) faces.insert(file.all[i].faces.begin(), file.all[i].faces.end());
+  std::vector<Vec3> directions;
+  for (const int face : faces)
+    if (const surfaces::PartSurface& surface = part.faces[static_cast<std::size_t>(face)].surface;
+        surface.kind == surfaces::SurfaceKind::plane || surfaces::has_axis(surface.kind))
+      directions.push_back(surface.axis);
+  return directions;
+}
+
+// For what no view of the sheet shows: the views that would, which are returned.
+std::vector<std::string> propose_views(const scene::SceneDescription& scene, FileRequirements& file,
+                                       const RequirementSubject& subject) {
+  if (std::none_of(file.rows.begin(), file.rows.end(), is_unseen)) return {};
+  std::vector<ShowingView> showing;
+  for (const TrialView& trial : views_to_try(directions_of_unseen(file, subject.part))) {
+    const FaceView view(trial.projection, trial.seen, subject.world);
     scene::SceneDescription other = scene;
     FileRequirements seen = file;
     const std::span<const FaceView> alone(&view, 1);
     Statement(other, seen, {subject.world, subject.model, subject.part, subject.triangles, alone, subject.manner}, 1)
         .add_all();
-    std::vector<std::size_t>& rows = shown.emplace_back(view.name(), std::vector<std::size_t>()).second;
+    std::vector<std::size_t>& rows = showing.emplace_back(ShowingView{trial.projection, {}}).shows;
     for (std::size_t i = 0; i < file.rows.size(); ++i)
       if (is_unseen(file.rows[i]) && seen.rows[i].is_drawn()) rows.push_back(i);
   }
-  const auto fewer = [](const auto& a, const auto& b) { return a.second.size() < b.second.size(); };
-  while (true) {
-    const auto most = std::max_element(shown.begin(), shown.end(), fewer);
-    if (most->second.empty()) return;
-    for (const std::size_t i : most->second) {
+  std::vector<std::string> views;
+  for (const ShowingView& one : few_views(std::move(showing))) {
+    views.push_back(one.projection);
+    for (const std::size_t i : one.shows) {
       std::string& why = file.rows[i].why;
-      why = why.substr(0, why.find(':')) + ": add the view '" + most->first + "'";
+      why = why.substr(0, why.find(':')) + ": add the view '" + one.projection + "'";
     }
-    for (auto& [name, rows] : shown) std::erase_if(rows, [&](std::size_t i) { return !is_unseen(file.rows[i]); });
   }
+  return views;
 }
 
 }  // namespace
@@ -475,29 +462,36 @@ void choose_notation(scene::SceneDescription& scene, const std::vector<FileRequi
   }
 }
 
-void state_requirements(scene::SceneDescription& scene, std::vector<FileRequirements>& files,
-                        const SheetToState& sheet) {
+std::vector<std::string> state_requirements(scene::SceneDescription& scene, std::vector<FileRequirements>& files,
+                                            const SheetToState& sheet) {
   const auto is_open = [](const FileRequirements& file) {
     return std::any_of(file.rows.begin(), file.rows.end(), [](const auto& row) { return row.is_missing(); });
   };
-  if (std::none_of(files.begin(), files.end(), is_open)) return;
+  std::vector<std::string> views_to_add;
+  if (std::none_of(files.begin(), files.end(), is_open)) return views_to_add;
   const std::vector<FaceView> views = views_for_requirements(sheet);
   const world::World& world = sheet.worlds.main();
   const scene::SheetDescription& description = scene.sheets[static_cast<std::size_t>(sheet.views.sheet)];
   const Manner manner{description.dimension_unit.value_or(Unit::mm), follows_asme(description)};
   for (FileRequirements& file : files) {
     const world::Placed& placed = world.models[static_cast<std::size_t>(file.model)];
-    const auto part = file.part != nullptr && placed.part == file.part ? world::place_part(placed) : std::nullopt;
+    // What a file without faces says is about the whole part.
+    std::optional<world::PlacedPart> part;
+    if (file.part == nullptr)
+      part = world::PlacedPart{};
+    else if (placed.part == file.part)
+      part = world::place_part(placed);
     if (part) {
       const TrianglesByFace triangles = triangles_by_face(world, static_cast<std::size_t>(file.model));
       const RequirementSubject subject{world, file.model, *part, triangles, views, manner};
       Statement(scene, file, subject, sheet.views.sheet + 1).add_all();
-      propose_views(scene, file, subject);
+      std::ranges::move(propose_views(scene, file, subject), std::back_inserter(views_to_add));
       continue;
     }
     for (report::RequirementRow& row : file.rows)
       if (row.is_missing()) row.why = "the faces of the file are not those that are drawn";
   }
+  return views_to_add;
 }
 
 }  // namespace epura::pipeline

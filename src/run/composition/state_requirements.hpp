@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <vector>
 
 #include "composition/requirement_ledger.hpp"
@@ -25,8 +26,9 @@ struct SheetToState {
 };
 
 /// Adds dimensions, tolerance frames and datums to the scene for all that no other sheet shows, in orthographic views
-/// without breaks. Sets the rows.
-void state_requirements(scene::SceneDescription& scene, std::vector<FileRequirements>& files,
-                        const SheetToState& sheet);
+/// without breaks. Sets the rows. Returns the views, as in --projection, that would show what no view of the sheet
+/// shows.
+std::vector<std::string> state_requirements(scene::SceneDescription& scene, std::vector<FileRequirements>& files,
+                                            const SheetToState& sheet);
 
 }  // namespace epura::pipeline

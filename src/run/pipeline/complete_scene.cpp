@@ -64,6 +64,24 @@ std::vector<std::pair<int, std::string>> expand_epuras(std::vector<scene::ViewDe
   return sheets;
 }
 
+// "auto": three views, and those that are found to be lacking once the models are read.
+void expand_automatic(std::vector<scene::ViewDescription>& views) {
+  std::vector<scene::ViewDescription> expanded;
+  for (const scene::ViewDescription& view : views) {
+    if (!view.projection.given() || view.projection->name != "auto") {
+      expanded.push_back(view);
+      continue;
+    }
+    for (const char* name : {"front", "top", "left"}) {
+      expanded.push_back(view);
+      expanded.back().projection.value->name = name;
+      expanded.back().name = {};
+      expanded.back().is_automatic = true;
+    }
+  }
+  views = std::move(expanded);
+}
+
 // A form is drawn for one size of paper, which is that of its sheet.
 void take_size_of_form(scene::SheetDescription& sheet) {
   if (!sheet.form.given()) return;
@@ -93,6 +111,7 @@ void complete_scene(scene::SceneDescription& scene) {
   if (scene.views.empty())
     scene.views.emplace_back().projection = {scene::ProjectionRequest{"isometric"}, "--projection"};
   const auto epuras = expand_epuras(scene.views);
+  expand_automatic(scene.views);
   for (scene::ViewDescription& view : scene.views) {
     take_option(view, "hidden", view.hidden);
     take_option(view, "half", view.half);
@@ -113,6 +132,12 @@ void complete_scene(scene::SceneDescription& scene) {
   int sheets = 1;
   for (const scene::ViewDescription& view : scene.views) sheets = std::max(sheets, view.sheet.value_or(1));
   if (scene.sheets.empty()) scene.sheets.resize(static_cast<std::size_t>(sheets));
+  // Nobody has chosen paper for views that nobody has chosen.
+  for (const scene::ViewDescription& view : scene.views)
+    if (const int sheet = view.sheet.value_or(1) - 1;
+        view.is_automatic && sheet < static_cast<int>(scene.sheets.size()))
+      if (auto& size = scene.sheets[static_cast<std::size_t>(sheet)].size; !size.given())
+        size = {scene::PaperChoice{scene::PaperChoice::Kind::automatic, 0, {0, 0}}, view.projection.where};
   for (const auto& [sheet, where] : epuras)
     if (sheet <= static_cast<int>(scene.sheets.size()))
       scene.sheets[static_cast<std::size_t>(sheet) - 1].layout = {SheetLayout::monge, where};

@@ -19,8 +19,8 @@
 #include "composition/state_requirements.hpp"
 #include "composition/summary.hpp"
 #include "composition/tell.hpp"
+#include "composition/wanted_views.hpp"
 #include "drawing/drawing.hpp"
-#include "mesh/read.hpp"
 #include "pipeline/find_features.hpp"
 #include "pipeline/read_models.hpp"
 #include "pipeline/recognise_parts.hpp"
@@ -71,6 +71,7 @@ struct PreparedSheet {
   std::vector<view::ProjectedScene> seen;  ///< empty once it is drawn
   std::vector<Annotations> annotations;
   std::vector<sheet::DimensionsInView> anchored;  ///< for lint
+  std::vector<std::string> lacks;                 ///< views that would show what requirements need
 };
 
 /// One way to draw a prepared sheet.
@@ -99,20 +100,19 @@ struct Run {
   std::map<const world::World*, std::optional<KnownIntersections>> intersections{};
   PartsByModel known_parts{};
   std::vector<FileRequirements> required{};
-  double facets = usual_facets;  ///< mm on paper by which those of imported surfaces are off
+  std::vector<std::string> lacking_views{};  ///< for requirements, as in --projection
+  double facets = usual_facets;              ///< mm on paper by which those of imported surfaces are off
   std::optional<world::FacetHeights> heights{};
   std::string cut_before_sheets{};  ///< the first stage on the models that the time limit cut short
 
   void note(const ViewResult& result);
   void note(const FinishedSheet& sheet);
   void judge(const std::vector<report::ViewError>& errors) const;
-  [[nodiscard]] bool has_imported() const;
   void find_heights(const world::World& world);
   ViewTime time_of_next_view();
   std::vector<view::ProjectedScene> map_views(const WorldOfView& world, const SheetOfViews& views);
-  void choose_by_world(SheetOfViews& views, const ShownWorlds& worlds,
-                       const std::vector<view::ProjectedScene>& seen) const;
   PreparedSheet prepare_sheet(const ShownWorlds& worlds, SheetOfViews views);
+  PreparedSheet prepare_with_added_views(const ShownWorlds& worlds, SheetOfViews views);
   [[nodiscard]] SheetPlan usual_plan(const ShownWorlds& worlds, PreparedSheet& sheet) const;
   SheetPlan plan_of(const ShownWorlds& worlds, PreparedSheet& sheet, const LayoutRequest& layout) const;
   FinishedSheet draw_sheet(const ShownWorlds& worlds, PreparedSheet& prepared, const Trial& trial);
@@ -142,18 +142,9 @@ void Run::find_heights(const world::World& world) {
   }
 }
 
-// Whether a model comes from an importer, which chooses facets.
-bool Run::has_imported() const {
-  return std::any_of(gathered.report.meshes.begin(), gathered.report.meshes.end(), [](const mesh::MeshReport& mesh) {
-    return !mesh.format.empty() && mesh::format_named(mesh.format) == nullptr;
-  });
-}
-
 void Run::judge(const std::vector<report::ViewError>& errors) const {
   if (!options.max_error) return;
-  double triangles = 0;
-  for (const mesh::MeshReport& mesh : gathered.report.meshes) triangles += static_cast<double>(mesh.triangles);
-  expect_within(*options.max_error, options.arcs.has_value(), errors, {triangles, has_imported()});
+  expect_within(*options.max_error, options.arcs.has_value(), errors, facets_of(gathered.report.meshes));
   for (const report::ViewError& error : errors) messages.print(sentence_of(error));
 }
 
@@ -185,21 +176,6 @@ ViewTime Run::time_of_next_view() {
           progress.with_part_of_the_time(1 / (static_cast<double>(gathered.views_left--) + views_for_the_rest))};
 }
 
-void Run::choose_by_world(SheetOfViews& views, const ShownWorlds& worlds,
-                          const std::vector<view::ProjectedScene>& seen) const {
-  for (std::size_t i = 0; i < seen.size(); ++i) {
-    const scene::ViewDescription& view = views.descriptions[i];
-    const ShownWorld& shown = worlds.of(view);
-    const CutSection* section = section_of(shown.sections, view);
-    ViewOptions& chosen = views.plans[i].options;
-    if (section != nullptr) expect_steps_edge_on(*section, seen[i], view);
-    if (section != nullptr && section->surface.aligned) chosen.turned = section->surface;
-    chosen.exploded = !worlds.is_main(view);
-    chosen.revolved = cut_revolved(shown.world, scene, view, seen[i].projection);
-    chosen.styles = styles_of(scene, view, section == nullptr ? shown.world : section->cut.world, seen[i].projection);
-  }
-}
-
 std::vector<view::ProjectedScene> Run::map_views(const WorldOfView& world, const SheetOfViews& views) {
   progress.begin("mapping", views.plans.size());
   std::vector<view::ProjectedScene> seen;
@@ -222,18 +198,51 @@ PreparedSheet Run::prepare_sheet(const ShownWorlds& worlds, SheetOfViews views) 
   const auto world = [&](std::size_t view) -> const world::World& { return worlds.seen_in(views.descriptions[view]); };
   orient_arrow_views(views, world);
   std::vector<view::ProjectedScene> seen = map_views(world, views);
-  choose_by_world(views, worlds, seen);
+  choose_by_world(views, scene, worlds, seen);
   find_breaks(views, seen, world);
   views.epura = epura_views(scene.sheets[static_cast<std::size_t>(views.sheet)], views, seen);
   expect_constructions(views, seen);
   views.items = listed_items(whole, scene, parts, views.sheet, messages);
-  state_requirements(scene, required, {views, seen, worlds});
+  std::vector<std::string> lacks = state_requirements(scene, required, {views, seen, worlds});
   std::vector<Annotations> annotations = annotate(whole, scene, views, seen, worlds.surfaces());
   for (const Annotations& of_view : annotations) gathered.sizes.add(of_view.sizes);
   warn_of_unplaced(messages, annotations);
   std::vector<sheet::DimensionsInView> anchored;
   if (needs_anchors(options)) anchored = anchored_dimensions(whole, views, seen, annotations);
-  return {std::move(views), std::move(seen), std::move(annotations), std::move(anchored)};
+  return {std::move(views), std::move(seen), std::move(annotations), std::move(anchored), std::move(lacks)};
+}
+
+// What is lacking is known before anything is drawn.
+PreparedSheet Run::prepare_with_added_views(const ShownWorlds& worlds, SheetOfViews views) {
+  const int number = views.sheet;
+  if (std::ranges::none_of(views.descriptions, &scene::ViewDescription::is_automatic))
+    return prepare_sheet(worlds, std::move(views));
+  const Gathered before = gathered;
+  const scene::SceneDescription described = scene;
+  const std::vector<FileRequirements> open = required;
+  HeldMessages held;
+  const Messages outside = std::exchange(messages, held.messages());
+  PreparedSheet sheet = prepare_sheet(worlds, views);
+  messages = outside;
+  std::vector<std::string> lacking = sheet.lacks;
+  if (dimensions_features(scene)) {
+    const auto anchored = anchored_dimensions(worlds.main(), sheet.views, sheet.seen, sheet.annotations);
+    add_all(lacking, views_for_sizes({worlds.main(), scene, anchored}, progress));
+  }
+  scene::SceneDescription extended = described;
+  const std::size_t added = add_views(extended, number, lacking);
+  if (added == 0) {
+    held.tell(messages);
+    return sheet;
+  }
+  gathered = before;
+  gathered.views_left += added;
+  required = open;
+  scene = std::move(extended);
+  SheetOfViews all = std::move(views_by_sheet(scene, plan_views(scene, options))[std::size_t(number)]);
+  all.states_error = views.states_error;
+  find_details(all, scene);
+  return prepare_sheet(worlds, std::move(all));
 }
 
 // Projecting takes less time than keeping a copy takes memory.
@@ -471,7 +480,8 @@ void Run::verify_kept(const ShownWorlds& worlds, PreparedSheet& sheet, Attempt& 
 }
 
 FinishedSheet Run::draw_best_sheet(const ShownWorlds& worlds, SheetOfViews views) {
-  PreparedSheet sheet = prepare_sheet(worlds, std::move(views));
+  PreparedSheet sheet = prepare_with_added_views(worlds, std::move(views));
+  add_all(lacking_views, sheet.lacks);
   Attempt best = draw_in_best_layout(worlds, sheet);
   bool is_without_table = false;
   if (const auto holes = other_holes(best.sheet, sheet); holes && !progress.is_out_of_time()) {
@@ -514,10 +524,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   doubt_unit(messages, scene, world, read.without_unit);
   find_features(scene, world);
   if (!scene.requirements.empty()) state_by_features(required, scene, world);
-  if (options.balloons == Balloons::characteristics && numbered_characteristics(required).empty())
-    messages.warn(
-        "the models state nothing to be measured that is read, so no characteristic has a balloon\n  hint: "
-        "epura requirements lists what a file requires");
+  if (options.balloons == Balloons::characteristics) warn_of_no_characteristics(messages, required);
   if (std::any_of(sheets.begin(), sheets.end(), shows_parts))
     world = replace_helical_threads(std::move(world), scene, messages, progress);
   find_threads(world, scene);
@@ -552,15 +559,12 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
 
 void Run::lint(std::span<FinishedSheet> sheets, const ShownWorlds& worlds) {
   report::Report& report = gathered.report;
-  if (!options.allow_missing) add_missing_requirements(report);
+  if (!options.allow_missing) add_missing_requirements(report, lacking_views);
   const std::vector<AcceptedFaces> accepted = accepted_faces(scene, worlds.main());
   const HatchedFaces free =
       add_missing_sizes(report, {worlds.main(), scene, gathered.dimensioned}, {accepted, options.rules}, progress);
   add_all(report.findings, undefined_free_forms(worlds.main(), scene, refers_to_models));
-  for (const AcceptedFaces& one : accepted)
-    if (std::none_of(report.findings.begin(), report.findings.end(),
-                     [&one](const report::Finding& finding) { return finding.accepted == one.reason; }))
-      messages.warn("nothing is found of the accepted " + one.feature + "\n  hint: remove it from the scene");
+  warn_of_vain(messages, accepted, report.findings);
   if (options.hatch_free) hatch_free_faces(sheets, scene, worlds, free);
 }
 
@@ -576,7 +580,7 @@ DrawnScene draw_once(const scene::SceneDescription& scene, const RunOptions& opt
     throw OutOfTime{run.gathered.report.partial.stages.front()};
   run.judge(run.gathered.report.errors);
   return {std::move(finished), std::move(run.gathered.report), std::move(run.gathered.answers),
-          std::move(run.gathered.rebuilt)};
+          std::move(run.gathered.rebuilt), std::move(run.scene.views)};
 }
 
 }  // namespace

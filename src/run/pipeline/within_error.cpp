@@ -3,10 +3,19 @@
 
 #include <optional>
 
+#include "mesh/read.hpp"
 #include "pipeline/read_models.hpp"
-#include "views/view_error.hpp"
 
 namespace epura::pipeline {
+
+Facets facets_of(const std::vector<mesh::MeshReport>& meshes) {
+  Facets facets{};
+  for (const mesh::MeshReport& mesh : meshes) {
+    facets.triangles += static_cast<double>(mesh.triangles);
+    facets.is_imported = facets.is_imported || (!mesh.format.empty() && mesh::format_named(mesh.format) == nullptr);
+  }
+  return facets;
+}
 
 DrawnScene draw_within_error(double max_error, double certain, const Messages& messages, const DrawWithFacets& draw) {
   constexpr double finer = 4;  // each time

@@ -3,10 +3,15 @@
 #pragma once
 
 #include <functional>
+#include <vector>
 
 #include "pipeline/draw_scene.hpp"
+#include "views/view_error.hpp"
 
 namespace epura::pipeline {
+
+/// Of models as they were read; importers choose facets.
+Facets facets_of(const std::vector<mesh::MeshReport>& meshes);
 
 using DrawWithFacets = std::function<DrawnScene(double facets, const Messages& messages)>;
 

@@ -62,4 +62,19 @@ SectionSurfaces ShownWorlds::surfaces() const {
   return surfaces;
 }
 
+void choose_by_world(SheetOfViews& views, const scene::SceneDescription& scene, const ShownWorlds& worlds,
+                     std::span<const view::ProjectedScene> seen) {
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const scene::ViewDescription& view = views.descriptions[i];
+    const ShownWorld& shown = worlds.of(view);
+    const CutSection* section = section_of(shown.sections, view);
+    ViewOptions& chosen = views.plans[i].options;
+    if (section != nullptr) expect_steps_edge_on(*section, seen[i], view);
+    if (section != nullptr && section->surface.aligned) chosen.turned = section->surface;
+    chosen.exploded = !worlds.is_main(view);
+    chosen.revolved = cut_revolved(shown.world, scene, view, seen[i].projection);
+    chosen.styles = styles_of(scene, view, section == nullptr ? shown.world : section->cut.world, seen[i].projection);
+  }
+}
+
 }  // namespace epura::pipeline

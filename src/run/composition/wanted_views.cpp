@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "composition/wanted_views.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "base/text.hpp"
+#include "composition/seen_marks.hpp"
+#include "features/tolerances.hpp"
+#include "scene/choices.hpp"
+#include "scene/view_names.hpp"
+
+namespace epura::pipeline {
+
+namespace {
+
+TrialView trial_view(std::string name, const Vec3& right, const Vec3& up) {
+  TrialView view{std::move(name), {}};
+  view.seen.u = right;
+  view.seen.v = up;
+  view.seen.n = view.seen.projector = glm::cross(right, up);
+  return view;
+}
+
+std::string words_of(const Vec3& direction) {
+  constexpr int digits = 6;
+  std::string words = "auxiliary:direction=";
+  for (int i = 0; i < 3; ++i)
+    words +=
+        (i > 0 ? "," : "") + format_rounded(std::abs(direction[i]) <= features::same_point ? 0 : direction[i], digits);
+  return words;
+}
+
+}  // namespace
+
+bool shows_an_axis(const projection::Projection& seen) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (std::abs(seen.n[axis]) <= max_tilt) return true;
+  return false;
+}
+
+std::vector<TrialView> views_to_try(std::span<const Vec3> directions) {
+  std::vector<TrialView> views{trial_view("front", {1, 0, 0}, {0, 0, 1}),   trial_view("top", {1, 0, 0}, {0, 1, 0}),
+                               trial_view("left", {0, -1, 0}, {0, 0, 1}),   trial_view("right", {0, 1, 0}, {0, 0, 1}),
+                               trial_view("bottom", {1, 0, 0}, {0, -1, 0}), trial_view("back", {-1, 0, 0}, {0, 0, 1})};
+  const std::size_t most = 2 * views.size();
+  for (const Vec3& direction : directions)
+    for (const double sign : {1.0, -1.0}) {
+      const Vec3 n = sign * direction;
+      const auto is_it = [&n](const TrialView& view) { return glm::dot(view.seen.n, n) >= 1 - max_tilt * max_tilt; };
+      if (views.size() >= most || std::any_of(views.begin(), views.end(), is_it)) continue;
+      const Vec3 up = std::abs(n.z) < 1 - max_tilt ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
+      const Vec3 right = glm::normalize(glm::cross(up, n));
+      TrialView view = trial_view(words_of(n), right, glm::cross(n, right));
+      if (shows_an_axis(view.seen)) views.push_back(std::move(view));
+    }
+  return views;
+}
+
+std::vector<ShowingView> few_views(std::vector<ShowingView> views) {
+  const auto fewer = [](const auto& a, const auto& b) { return a.shows.size() < b.shows.size(); };
+  std::vector<ShowingView> chosen;
+  while (!views.empty()) {
+    const auto most = std::max_element(views.begin(), views.end(), fewer);
+    if (most->shows.empty()) break;
+    chosen.push_back(std::move(*most));
+    views.erase(most);
+    std::vector<std::size_t> shown = chosen.back().shows;
+    std::sort(shown.begin(), shown.end());
+    for (ShowingView& view : views)
+      std::erase_if(view.shows, [&](std::size_t i) { return std::binary_search(shown.begin(), shown.end(), i); });
+  }
+  return chosen;
+}
+
+std::size_t add_views(scene::SceneDescription& scene, int sheet, std::span<const std::string> projections) {
+  std::size_t added = 0;
+  for (const std::string& projection : projections) {
+    const scene::ProjectionRequest request = scene::parse_request(projection);
+    const auto has_it = [&](const scene::ViewDescription& view) {
+      return view.sheet.value_or(1) == sheet + 1 && view.projection.given() && !view.section.given() &&
+             view.projection->name == request.name && view.projection->assignments == request.assignments;
+    };
+    if (std::any_of(scene.views.begin(), scene.views.end(), has_it)) continue;
+    scene::ViewDescription& view = scene.views.emplace_back();
+    view.projection = {request, "--views auto"};
+    view.sheet = {sheet + 1, "--views auto"};
+    ++added;
+  }
+  scene::name_views(scene.views);
+  return added;
+}
+
+}  // namespace epura::pipeline
