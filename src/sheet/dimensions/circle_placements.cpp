@@ -46,6 +46,12 @@ PlacedDimension drawn(const Leader& leader, const MeasuredCircle& circle, const 
   return dimension;
 }
 
+// The others outlive the placements.
+std::function<PlacedDimension()> drawn_when_looked_at(const Leader& leader, const MeasuredCircle& circle,
+                                                      const DimensionText& text, const DimensionStyle& style) {
+  return [=, &circle, &text, &style] { return drawn(leader, circle, text, style); };
+}
+
 double slope_cost(double angle) {
   const double off = std::abs(std::remainder(angle - std::numbers::pi / 4, std::numbers::pi / 2));
   return cost_of_slope * off / (std::numbers::pi / 4);
@@ -104,8 +110,9 @@ std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, cons
     const auto add = [&](double length, double cost) {
       for (const bool turned : {false, true})
         if (!turned || (length > 0 && !measured.offset && std::abs(direction.x) < steep))
-          placements.push_back({drawn({direction, length, turned}, circle, measured.text, style),
-                                cost + slope_cost(angle) + (turned ? cost_of_turn : 0)});
+          placements.push_back({{},
+                                cost + slope_cost(angle) + (turned ? cost_of_turn : 0),
+                                drawn_when_looked_at({direction, length, turned}, circle, measured.text, style)});
     };
     if (measured.offset) {
       add(*measured.offset, 0);
@@ -140,7 +147,7 @@ std::vector<DimensionPlacement> placements_in_crowd(const MeasuredCircle& circle
       const double length = shortest_leader_of_circle + longer_leader * k;
       const double cost = cost_of_length * length + slope_cost(angle);
       const auto add = [&](const Leader& leader, double more) {
-        placements.push_back({drawn(leader, circle, measured.text, style), cost + more});
+        placements.push_back({{}, cost + more, drawn_when_looked_at(leader, circle, measured.text, style)});
       };
       add({direction, length}, 0);
       if (std::abs(direction.x) < steep) add({direction, length, true}, cost_of_turn);

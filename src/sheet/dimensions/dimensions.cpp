@@ -26,36 +26,6 @@ namespace epura::sheet {
 
 namespace {
 
-bool is_on_line(const Vec2& p, const Vec2& on, const Vec2& direction) {
-  constexpr double slack = 1e-6;
-  return std::abs(glm::dot(p - on, left_of(direction))) <= slack * (1 + glm::length(p - on)) * glm::length(direction);
-}
-
-// Whether an arrow ends at what the dimension measures.
-bool ends_at(const MeasuredLength& length, const Vec2& tip) {
-  const auto is_end = [&](const Vec2& end) { return is_on_line(tip, end, length.extension); };
-  return is_end(length.from) || is_end(length.to) ||
-         (length.opposite && (is_end((*length.opposite)[0]) || is_end((*length.opposite)[1])));
-}
-
-bool ends_at(const MeasuredRow& row, const Vec2& tip) {
-  const auto is_place = [&](const Vec2& place) { return is_on_line(tip, place, left_of(row.along)); };
-  return std::any_of(row.places.begin(), row.places.end(), is_place) ||
-         (row.opposite && std::any_of(row.opposite->begin(), row.opposite->end(), is_place));
-}
-
-// The extension lines of the length of an arc may be parallel to its bisector.
-bool ends_at(const MeasuredAngle& angle, const Vec2& tip) {
-  return std::any_of(angle.legs.begin(), angle.legs.end(), [&](const Vec2& leg) {
-    return is_on_line(tip, angle.corner, leg) ||
-           (angle.arc && is_on_line(tip, angle.corner + leg, angle.legs[0] + angle.legs[1]));
-  });
-}
-
-bool ends_at(const MeasuredCircle& circle, const Vec2& tip) {
-  return std::abs(glm::length(circle.in_spokes(tip - circle.centre)) - 1) * circle.radius <= 1e-6 * (1 + circle.radius);
-}
-
 // The tip of an arrow, or the centre of a dot.
 Vec2 end_of(const Fill& mark) {
   constexpr std::size_t corners_of_arrow = 3;
@@ -76,20 +46,21 @@ struct BestPlacement {
 };
 
 // The cheapest placement if it costs less than `best`. They are in ascending order of their cost.
-BestPlacement better_of(const std::vector<DimensionPlacement>& placements, const Surroundings& surroundings,
+BestPlacement better_of(std::vector<DimensionPlacement>& placements, const Surroundings& surroundings,
                         BestPlacement best) {
-  for (const DimensionPlacement& placement : placements) {
+  for (DimensionPlacement& placement : placements) {
     if (placement.cost >= best.cost) break;
-    const double cost = placement.cost + surroundings.cost(placement.dimension, best.cost - placement.cost);
-    if (cost < best.cost) best = {&placement.dimension, cost};
+    const PlacedDimension& drawn = placement.drawn();
+    const double cost = placement.cost + surroundings.cost(drawn, best.cost - placement.cost);
+    if (cost < best.cost) best = {&drawn, cost};
   }
   return best;
 }
 
 // The cheapest placement, or the first one if all are in a crowd.
-BestPlacement best_of(const std::vector<DimensionPlacement>& placements, const Surroundings& surroundings) {
+BestPlacement best_of(std::vector<DimensionPlacement>& placements, const Surroundings& surroundings) {
   check(!placements.empty(), "a dimension has a place");
-  return better_of(placements, surroundings, {&placements.front().dimension, cost_in_crowd});
+  return better_of(placements, surroundings, {&placements.front().drawn(), cost_in_crowd});
 }
 
 // Less usual placements, of forms that have some.
@@ -155,7 +126,11 @@ class Placer {
   void place_all(const Progress& progress) {
     for (const std::size_t i : order_) {
       if (progress.is_out_of_time()) break;
-      place(i);
+      if (has_lost_twin(i))
+        is_lost_[i] = true;
+      else
+        place(i);
+      if (is_dropped(i)) lost_.try_emplace(places_of(dimensions_[i]), size_of(i));
       progress.advance(1);
     }
     const auto has_place = [this](std::size_t i) { return placed_[i].has_value() || is_dropped(i); };
@@ -183,6 +158,10 @@ class Placer {
     else
       put_back(usual);
     std::erase_if(left_out, [&](std::size_t i) { return !progress.is_out_of_time() && makes_room_in_crowd(i, count); });
+    std::erase_if(gone_, [this](std::size_t i) { return placed_[i].has_value(); });
+    left_out.insert(left_out.end(), gone_.begin(), gone_.end());
+    std::sort(left_out.begin(), left_out.end());
+    left_out.erase(std::unique(left_out.begin(), left_out.end()), left_out.end());
     return left_out;
   }
 
@@ -263,16 +242,27 @@ class Placer {
     sort_by_cost(all);
     return all;
   }
-  const std::vector<DimensionPlacement>& more_placements(std::size_t i) {
+  std::vector<DimensionPlacement>& more_placements(std::size_t i) {
     auto [known, is_new] = more_.try_emplace(i);
     if (is_new) known->second = placements_in_crowd(dimensions_[i], drawing_, style_);
     if (is_new) sort_by_cost(known->second);
     return known->second;
   }
   // What a model file requires takes no place that makes others hard to read. There is less room later on.
-  [[nodiscard]] bool is_dropped(std::size_t i) const {
-    return is_lost_[i] && i >= shown_.found && i < shown_.leaving && !is_crowded_;
+  [[nodiscard]] bool is_dropped(std::size_t i) const { return is_lost_[i] && is_required(i) && !is_crowded_; }
+  [[nodiscard]] Vec2 size_of(std::size_t i) const {
+    return {style_.width(dimensions_[i].text), style_.height(dimensions_[i].text)};
   }
+  // What measures the same has the same places. While dimensions only come, there is none for a text that is no smaller
+  // than one for which there was none.
+  [[nodiscard]] bool has_lost_twin(std::size_t i) const {
+    if (!is_required(i)) return false;
+    const auto twin = lost_.find(places_of(dimensions_[i]));
+    if (twin == lost_.end()) return false;
+    const Vec2 size = size_of(i);
+    return size.x >= twin->second.x && size.y >= twin->second.y;
+  }
+  [[nodiscard]] bool is_required(std::size_t i) const { return i >= shown_.found && i < shown_.leaving; }
   [[nodiscard]] bool is_row(std::size_t i) const { return std::holds_alternative<MeasuredRow>(dimensions_[i].form); }
   void take(std::size_t i) {
     surroundings_.remove(*placed_[i]);
@@ -296,6 +286,7 @@ class Placer {
   // Moves all that is where the dimension would be, and in a crowd what is where these would be, `deep` times.
   bool moves_others(std::size_t number, std::size_t count, int deep = 0) {
     const PlacedDimensions before = placed_;
+    const std::size_t gone = gone_.size();
     place(number);
     std::vector<std::size_t> moved;
     bool all_move = placed_[number] && faults_of(*placed_[number], drawing_, neighbours_) == 0;
@@ -308,13 +299,19 @@ class Placer {
     if (all_move) {
       for (const std::size_t i : moved) take(i);
       all_move = std::all_of(moved.begin(), moved.end(), [&](std::size_t i) {
-        return finds_room(i) || (deep > 0 && moves_others(i, count, deep - 1));
+        return finds_room(i) || (deep > 0 && moves_others(i, count, deep - 1)) || gives_way(i, number);
       });
     }
     stays_[number] = false;
-    if (!all_move) put_back(before);
+    if (!all_move) put_back(before), gone_.resize(gone);
     check(all_move == placed_[number].has_value(), "a dimension that finds no room is not placed");
     return all_move;
+  }
+  // To what a model file requires, one that was only found in faces.
+  bool gives_way(std::size_t i, std::size_t number) {
+    if (!is_required(number) || i >= shown_.found || is_row(i)) return false;
+    gone_.push_back(i);
+    return true;
   }
   void put_back(const PlacedDimensions& before) {
     for (std::size_t i = 0; i < placed_.size(); ++i)
@@ -362,8 +359,10 @@ class Placer {
   std::vector<std::size_t> order_;
   Surroundings surroundings_;
   PlacedDimensions placed_;
-  std::vector<bool> is_lost_;  ///< whether every place was in a crowd
-  std::vector<bool> stays_;    ///< while others are moved
+  std::vector<bool> is_lost_;                   ///< whether every place was in a crowd
+  std::map<std::vector<double>, Vec2> lost_{};  ///< size of the first text that was, by its places
+  std::vector<bool> stays_;                     ///< while others are moved
+  std::vector<std::size_t> gone_{};             ///< that gave way
   std::map<std::size_t, std::vector<DimensionPlacement>> usual_, more_;
   bool is_searching_ = false;  ///< whether room is looked for
   bool is_crowded_ = false;    ///< whether less usual placements are tried, too

@@ -2,7 +2,9 @@
 // Possible placements of one dimension.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "dimensions/measure.hpp"
@@ -11,10 +13,17 @@
 
 namespace epura::sheet {
 
-/// A possible placement, and its own cost without regard to other objects.
+/// A possible placement, and its own cost without regard to other objects. Hundreds of leaders are possible at a
+/// circle, of which the first ones do, as a rule: each is drawn when it is looked at.
 struct DimensionPlacement {
   PlacedDimension dimension;
   double cost;
+  std::function<PlacedDimension()> draw{};  ///< instead of the dimension
+
+  const PlacedDimension& drawn() {
+    if (draw) dimension = std::exchange(draw, nullptr)();
+    return dimension;
+  }
 };
 
 /// Beside the outline: on either side, further and further out, with the text in the middle or shifted. With an offset:

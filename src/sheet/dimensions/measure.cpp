@@ -426,4 +426,57 @@ MeasuredDimension measure(const drawing::ViewDrawing& drawing, const AnchoredDim
   }
 }
 
+namespace {
+
+bool is_on_line(const Vec2& p, const Vec2& on, const Vec2& direction) {
+  constexpr double slack = 1e-6;
+  return std::abs(glm::dot(p - on, left_of(direction))) <= slack * (1 + glm::length(p - on)) * glm::length(direction);
+}
+
+}  // namespace
+
+bool ends_at(const MeasuredLength& length, const Vec2& tip) {
+  const auto is_end = [&](const Vec2& end) { return is_on_line(tip, end, length.extension); };
+  return is_end(length.from) || is_end(length.to) ||
+         (length.opposite && (is_end((*length.opposite)[0]) || is_end((*length.opposite)[1])));
+}
+
+bool ends_at(const MeasuredRow& row, const Vec2& tip) {
+  const auto is_place = [&](const Vec2& place) { return is_on_line(tip, place, left_of(row.along)); };
+  return std::any_of(row.places.begin(), row.places.end(), is_place) ||
+         (row.opposite && std::any_of(row.opposite->begin(), row.opposite->end(), is_place));
+}
+
+// The extension lines of the length of an arc may be parallel to its bisector.
+bool ends_at(const MeasuredAngle& angle, const Vec2& tip) {
+  return std::any_of(angle.legs.begin(), angle.legs.end(), [&](const Vec2& leg) {
+    return is_on_line(tip, angle.corner, leg) ||
+           (angle.arc && is_on_line(tip, angle.corner + leg, angle.legs[0] + angle.legs[1]));
+  });
+}
+
+bool ends_at(const MeasuredCircle& circle, const Vec2& tip) {
+  return std::abs(glm::length(circle.in_spokes(tip - circle.centre)) - 1) * circle.radius <= 1e-6 * (1 + circle.radius);
+}
+
+std::vector<double> places_of(const MeasuredDimension& dimension) {
+  std::vector<double> places{static_cast<double>(dimension.form.index())};
+  const auto add = [&places](const Vec2& v) { places.insert(places.end(), {v.x, v.y}); };
+  check(!std::holds_alternative<MeasuredRow>(dimension.form), "a row has other places with other texts");
+  if (dimension.offset) places.push_back(*dimension.offset);
+  if (const auto* length = std::get_if<MeasuredLength>(&dimension.form)) {
+    for (const Vec2& v : {length->from, length->to, length->along, length->extension}) add(v);
+    if (length->opposite) std::ranges::for_each(*length->opposite, add);
+  } else if (const auto* angle = std::get_if<MeasuredAngle>(&dimension.form)) {
+    for (const Vec2& v : {angle->corner, angle->legs[0], angle->legs[1]}) add(v);
+    if (angle->arc) places.push_back(*angle->arc);
+  } else if (const auto* circle = std::get_if<MeasuredCircle>(&dimension.form)) {
+    add(circle->centre);
+    add({circle->first, circle->sweep});
+    add({circle->radius, circle->is_radius ? 1 : 0});
+    if (circle->spokes) std::ranges::for_each(*circle->spokes, add);
+  }
+  return places;
+}
+
 }  // namespace epura::sheet

@@ -91,4 +91,14 @@ struct MeasuredDimension {
 MeasuredDimension measure(const drawing::ViewDrawing& drawing, const AnchoredDimension& dimension,
                           const Notation& notation);
 
+/// Whether an arrow with this tip ends at what is measured, or an extension line of it.
+bool ends_at(const MeasuredLength& length, const Vec2& tip);
+bool ends_at(const MeasuredRow& row, const Vec2& tip);
+bool ends_at(const MeasuredAngle& angle, const Vec2& tip);
+bool ends_at(const MeasuredCircle& circle, const Vec2& tip);
+
+/// What decides on the places that a dimension may have, beside its text: equal for those that measure the same. Not of
+/// rows.
+std::vector<double> places_of(const MeasuredDimension& dimension);
+
 }  // namespace epura::sheet

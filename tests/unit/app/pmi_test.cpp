@@ -2,6 +2,8 @@
 // Requirements of model files on sheets, and the ledger in which nothing is lost.
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 #include "../output/json_reader.hpp"
 #include "errors.hpp"
 #include "folder.hpp"
@@ -273,18 +275,23 @@ TEST_F(Pmi, ASheetWithoutRoomLosesNothingInSilence) {
   EXPECT_EQ(shown + told, 12) << drawn.err;
 }
 
-// Lengths that differ by their deviations alone: those that are drawn are on the paper, all others are told.
-TEST_F(Pmi, DimensionsWithoutRoomAreTold) {
-  constexpr int count = 60;
+// Lengths that differ by their deviations alone.
+std::string heights(int count) {
   std::string text;
   for (int i = 0; i < count; ++i) {
     const int number = 2000 + 20 * i;
     text += step_aspect(number, bottom_face) + step_aspect(number + 2, top_face) + "#" + std::to_string(number + 4) +
             "=DIMENSIONAL_LOCATION('linear distance','',#" + std::to_string(number) + ",#" +
             std::to_string(number + 2) + ");\n" + size(number + 5, number + 4, "20.", "2.2") +
-            deviations(number + 9, number + 4, "-0.1", "0." + std::to_string(201 + i));
+            deviations(number + 9, number + 4, "-0.1", "0." + std::to_string(1001 + i));
   }
-  const Outcome drawn = draw_box(text, {"--pmi", "all", "--sheet", "180x140", "--scale", "1:1"});
+  return text;
+}
+
+// Those that are drawn are on the paper, all others are told.
+TEST_F(Pmi, DimensionsWithoutRoomAreTold) {
+  constexpr int count = 60;
+  const Outcome drawn = draw_box(heights(count), {"--pmi", "all", "--sheet", "180x140", "--scale", "1:1"});
   EXPECT_IMPORTER();
   EXPECT_EQ(drawn.code, 1) << drawn.err;
   EXPECT_FALSE(contains(drawn.err, "extend beyond the sheet")) << drawn.err;
@@ -296,6 +303,21 @@ TEST_F(Pmi, DimensionsWithoutRoomAreTold) {
   EXPECT_GT(shown, 0);
   EXPECT_EQ(says("20.00 ") + says("20.00"), shown);
   EXPECT_TRUE(contains(drawn.err, std::to_string(count - shown) + " of the 60 requirements")) << drawn.err;
+}
+
+// Where one text finds no place, no larger one at the same faces does: many more take hardly more time.
+TEST_F(Pmi, AThousandDimensionsWithoutRoomAreToldSoon) {
+  const auto seconds = [this](int count) {
+    const auto begin = std::chrono::steady_clock::now();
+    const Outcome drawn = draw_box(heights(count), {"--pmi", "all", "--sheet", "A3"});
+    EXPECT_EQ(drawn.code, has_importer_ ? 1 : 2) << drawn.err;
+    EXPECT_TRUE(!has_importer_ || contains(drawn.err, " of the " + std::to_string(count) + " requirements"))
+        << drawn.err;
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  const double hundred = seconds(100), thousand = seconds(1000);
+  EXPECT_IMPORTER();
+  EXPECT_LT(thousand, 6 * hundred) << hundred;
 }
 
 // A frame that is higher than the sheet has no place, and takes none from the views.

@@ -288,6 +288,27 @@ TEST(DimensionPlaces, AwayFromNeighboursAndOnThePaper) {
   EXPECT_GT(inside.texts.front().at.y, 120);
 }
 
+// Paper for one line below the view, and none beside it: what a file requires stands there, not what was only found.
+TEST(DimensionPlaces, WhatIsRequiredTakesThePlaceOfWhatWasFound) {
+  const world::World world = placed(box({0, 0, 0}, {60, 10, 40}));
+  const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));  // (70, 80) to (130, 120)
+  std::vector<scene::DimensionDescription> dimensions{dimension("overall", {}, "width"),
+                                                      dimension("linear", {0, 1}, "horizontal")};
+  dimensions[1].requirement = "0:0";
+  dimensions[1].text = {"<> H", "scene.toml:10:8"};
+  sheet::Neighbours neighbours{sheet::Rectangle{{60, 68}, {140, 121}}, {}};
+  neighbours.boxes.push_back(sheet::turned_box({{71, 81}, {129, 119}}));
+  const sheet::PlacedLayer both =
+      sheet::place_dimensions({world, front, dimensions, 1}, {sheet::Lettering(), 0.25}, neighbours);
+  ASSERT_EQ(both.layer.texts.size(), 1U);
+  EXPECT_EQ(both.layer.texts[0].text, "60 H");
+  EXPECT_EQ(both.left_out, std::vector<std::size_t>{0});
+  dimensions[1].requirement.clear();
+  const sheet::PlacedLayer found =
+      sheet::place_dimensions({world, front, dimensions, 2}, {sheet::Lettering(), 0.25}, neighbours);
+  EXPECT_EQ(found.left_out.size(), 1U);
+}
+
 // A letter on either side, where the line from the upper right corner would be: no other place avoids both.
 TEST(DimensionPlaces, LinesAreInterruptedAtLetters) {
   const world::World world = placed(box({0, 0, 0}, {60, 10, 40}));
