@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "../words.hpp"
+
 namespace epura::plugin::threemf {
 
 namespace {
@@ -204,6 +206,7 @@ void hand_over(const Model& model, Sink& sink) {
   Tree tree(model, sink);
   tree.add(builds ? model.items : tops_of(model), EPURA_NONE);
   tree.left_out().tell(sink);
+  for (const auto& [place, text] : model.words) tell_words(sink, place, text);
 }
 
 }  // namespace epura::plugin::threemf

@@ -10,6 +10,7 @@
 #include <string_view>
 #include <utility>
 
+#include "../words.hpp"
 #include "count_parts.hpp"
 #include "package.hpp"
 #include "slicer.hpp"
@@ -165,6 +166,8 @@ class ModelReader {
     } else if (tag.name == "model") {
       expect_extensions(tag);
       if (is_root_) model_.millimetres = millimetres_of(tag.raw("unit"));
+    } else if (tag.name == "metadata" && is_root_) {
+      keep_words(xml, "metadata");
     } else if (tag.name == "item" && is_root_) {
       refer(tag, tag.text("partnumber"), std::nullopt);
     } else if (tag.name == "basematerials" || tag.name == "colorgroup") {
@@ -208,9 +211,20 @@ class ModelReader {
       ++object.beams;
     } else if (tag.name == "component") {
       refer(tag, {}, object_);
-    } else if (tag.name == "metadata" && object.role == Role::part) {
-      object.role = role_by_cura(tag.raw("name"), xml.content());
+    } else if (tag.name == "metadata") {
+      keep_words(xml, "object " + std::to_string(*object_ + 1));
+      if (object.role == Role::part) object.role = role_by_cura(tag.raw("name"), xml.content());
     }
+  }
+
+  // Names of others have a prefix.
+  void keep_words(const Xml& xml, const std::string& place) {
+    const std::string name = xml.tag().text("name");
+    const std::string own = name.substr(name.rfind(':') + 1), text = xml.content();
+    if (!names_words(own) || text.find_first_not_of(" \t\r\n") == std::string::npos) return;
+    const auto count = std::count_if(model_.words.begin(), model_.words.end(),
+                                     [&](const auto& other) { return other.first.rfind(place, 0) == 0; });
+    model_.words.emplace_back(place + (count > 0 ? ", " + std::to_string(count + 1) : ""), text);
   }
 
   void refer(const Tag& tag, std::string name, std::optional<std::uint32_t> owner) {

@@ -9,6 +9,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace epura::plugin::threemf {
@@ -52,7 +53,8 @@ struct Object {
 struct Model {
   double millimetres = 1;  ///< length of its unit
   std::vector<Object> objects{};
-  std::vector<Placed> items{};  ///< objects to build
+  std::vector<Placed> items{};                               ///< objects to build
+  std::vector<std::pair<std::string, std::string>> words{};  ///< metadata that are for people: its place, and the text
 };
 
 /// `tell` receives the progress from 0 to 1. Throws std::runtime_error with a sentence.

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "../words.hpp"
 #include "instances.hpp"
 #include "load.hpp"
 #include "refuse.hpp"
@@ -90,6 +91,21 @@ class Tree {
   bool has_shapes_ = false;
 };
 
+// Application-specific data of the file and of its nodes, whether drawn or not.
+void tell_all_words(const tinygltf::Model& model, Sink& sink) {
+  const auto tell = [&sink](const tinygltf::Value& extras, const std::string& place) {
+    if (!extras.IsObject()) return;
+    for (const std::string& key : extras.Keys())
+      if (const tinygltf::Value& text = extras.Get(key); names_words(key) && text.IsString())
+        tell_words(sink, place + ".extras." + key, text.Get<std::string>());
+  };
+  tell(model.extras, "file");
+  tell(model.asset.extras, "asset");
+  for (std::size_t i = 0; i < model.scenes.size(); ++i) tell(model.scenes[i].extras, numbered("scene", i));
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) tell(model.nodes[i].extras, numbered("node", i));
+  for (std::size_t i = 0; i < model.meshes.size(); ++i) tell(model.meshes[i].extras, numbered("mesh", i));
+}
+
 struct Gltf {
   static constexpr auto name = "gltf", summary = "glTF 2.0, text or binary", extensions = "gltf|glb";
 
@@ -111,6 +127,7 @@ struct Gltf {
     else
       tree.add_nodes();
     tree.finish();
+    tell_all_words(model, sink);
   }
 };
 

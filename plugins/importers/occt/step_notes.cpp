@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "../words.hpp"
 #include "measures.hpp"
 #include "requirements.hpp"
 
@@ -16,13 +17,6 @@ namespace {
 bool is_picture(std::string_view keyword) {
   return keyword == "DRAUGHTING_CALLOUT" ||
          (keyword.find("ANNOTATION_") != std::string_view::npos && keyword.ends_with("OCCURRENCE"));
-}
-
-// Properties and items of this name are words for people, whatever they belong to.
-bool names_words(std::string_view name) {
-  const std::string plain = lower_case(std::string(name));
-  return plain == "equivalent unicode string" || plain == "semantic text" || plain == "note" ||
-         plain.ends_with(" note") || plain == "notes";
 }
 
 class NoteReader {
@@ -117,8 +111,8 @@ class NoteReader {
   [[nodiscard]] bool is_note(const Record& property) const {
     const Statement* about = graph_.find(reference_in(argument_of(property, 2)));
     const Record* aspect = about == nullptr ? nullptr : record_of(*about, "SHAPE_ASPECT");
-    return names_words(unquoted(argument_of(property, 0))) ||
-           (aspect != nullptr && names_words(unquoted(argument_of(*aspect, 1))));
+    return epura::plugin::names_words(unquoted(argument_of(property, 0))) ||
+           (aspect != nullptr && epura::plugin::names_words(unquoted(argument_of(*aspect, 1))));
   }
 
   // The words that a property is; empty if it is none.
@@ -134,7 +128,7 @@ class NoteReader {
       for (const EntityNumber item : references_in(argument_of(*list, 1))) {
         const Statement* text = graph_.find(item);
         const Record* record = text == nullptr ? nullptr : record_of(*text, "DESCRIPTIVE_REPRESENTATION_ITEM");
-        if (record != nullptr && (is_named || names_words(unquoted(argument_of(*record, 0)))))
+        if (record != nullptr && (is_named || epura::plugin::names_words(unquoted(argument_of(*record, 0)))))
           append(words, unquoted(argument_of(*record, 1)), " ");
       }
     }

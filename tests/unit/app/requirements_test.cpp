@@ -200,5 +200,30 @@ TEST_F(RequirementsCommand, KeepsTheUnitOfTheFileInWords) {
   EXPECT_TRUE(contains(run({"requirements", "box.step"}, target + profile).out, "target diameter 4 mm; face"));
 }
 
+// A block of 40 x 30 x 20 mm whose only requirement is about all of it: no face is needed.
+TEST(RequirementsOfMeshes, WordsOfGltfAreNotesOfTheSheet) {
+  const std::string block =
+      R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":168,"uri":"data:application/octet-stream;base64,)"
+      R"(AAAAAAAAAAAAAAAACtcjPQAAAAAAAAAACtcjPY/C9TwAAAAAAAAAAI/C9TwAAAAAAAAAAAAAAAAK16M8CtcjPQAAAAAK16M8Ctcj)"
+      R"(PY/C9TwK16M8AAAAAI/C9TwK16M8AAADAAIAAAACAAEABAAFAAYABAAGAAcAAAABAAUAAAAFAAQAAQACAAYAAQAGAAUAAgADAAcA)"
+      R"(AgAHAAYAAwAAAAQAAwAEAAcA"}],"bufferViews":[{"buffer":0,"byteLength":96},{"buffer":0,"byteOffset":96,)"
+      R"("byteLength":72}],"accessors":[{"bufferView":0,"componentType":5126,"count":8,"type":"VEC3","min":[0)"
+      R"(,0,0],"max":[0.04,0.03,0.02]},{"bufferView":1,"componentType":5123,"count":36,"type":"SCALAR"}],"mes)"
+      R"(hes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],"nodes":[{"mesh":0}],"scenes":[{"n)"
+      R"(odes":[0],"extras":{"note":"Break sharp edges"}}],"scene":0})";
+  const Folder folder;
+  folder.file("block.gltf", block);
+  const Outcome listed = epura({"requirements", "block.gltf"}, folder / "");
+  if (contains(listed.err, "install the package")) GTEST_SKIP() << "there is no importer of glTF";
+  EXPECT_EQ(listed.code, 0) << listed.err;
+  EXPECT_TRUE(contains(listed.out, "scene 0.extras.note note 'Break sharp edges'; no face")) << listed.out;
+  const Outcome drawn = epura({"draw", "block.gltf", "--views", "front,top", "--pmi", "all", "--sheet", "A4", "-o",
+                               "a.svg", "--svg-text", "text"},
+                              folder / "");
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_TRUE(contains(drawn.err, "all 1 requirements of the models are drawn")) << drawn.err;
+  EXPECT_TRUE(contains(read_file(folder / "a.svg"), "Break sharp edges"));
+}
+
 }  // namespace
 }  // namespace epura::test::requirements_command_test

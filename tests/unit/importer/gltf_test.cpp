@@ -26,6 +26,21 @@ TEST(Gltf, BinaryFilesAreKnownByTheirFirstBytes) {
   EXPECT_EQ(volume_of(read_by_importer(folder.file("text", cube_file().json(true))).mesh), 1);
 }
 
+// Application-specific data that is words for people is a note; other data is not.
+TEST(Gltf, WordsOfTheFileAndItsNodesAreNotes) {
+  File file = cube_file();
+  file.nodes = R"({"name":"plate","mesh":0,"extras":{"Note":"Break sharp edges","mass":3,"notes":["a list"]}})";
+  file.rest += R"(,"extras":{"semantic text":"Heat treated","author":"somebody"})";
+  const importer::ReadModel model = read(file);
+  ASSERT_EQ(model.requirements.size(), 2U);
+  EXPECT_EQ(model.requirements[0].text, "Heat treated");
+  EXPECT_EQ(model.requirements[0].id, "file.extras.semantic text");
+  EXPECT_EQ(model.requirements[1].kind, importer::RequirementKind::note);
+  EXPECT_EQ(model.requirements[1].text, "Break sharp edges");
+  EXPECT_EQ(model.requirements[1].id, "node 0.extras.Note");
+  EXPECT_TRUE(model.requirements[1].faces.empty());
+}
+
 TEST(Gltf, NodesPlaceMeshesAsOftenAsTheyStandThere) {
   File file = cube_file();
   const std::string half = std::to_string(std::sqrt(0.5));

@@ -261,6 +261,22 @@ TEST(ThreeMf, PicturesThatAreMissingAreNotNeeded) {
   EXPECT_TRUE(model.mesh.report.notes.empty());
 }
 
+// Metadata that is words for people is a note, of programs, too; other metadata is not.
+TEST(ThreeMf, MetadataThatIsANoteIsOne) {
+  std::string xml = model_of(cube(1), item(1));
+  xml.insert(
+      xml.find("<resources"),
+      R"(<metadata name="Application">a slicer</metadata><metadata name="Note">Break sharp edges &amp; clean)"
+      R"(</metadata><metadata name="cad:semantic text">Heat treated</metadata><metadata name="note"> </metadata>)");
+  const importer::ReadModel model = read(xml);
+  ASSERT_EQ(model.requirements.size(), 2U);
+  EXPECT_EQ(model.requirements[0].kind, importer::RequirementKind::note);
+  EXPECT_EQ(model.requirements[0].text, "Break sharp edges & clean");
+  EXPECT_EQ(model.requirements[0].id, "metadata");
+  EXPECT_EQ(model.requirements[1].text, "Heat treated");
+  EXPECT_EQ(model.requirements[1].id, "metadata, 2");
+}
+
 TEST(ThreeMf, SupportsAndOtherObjectsAreLeftOutAndTold) {
   const auto typed = [](int id, const std::string& type) {
     std::string text = cube(id);
