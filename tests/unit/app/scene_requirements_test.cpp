@@ -100,6 +100,38 @@ TEST_F(SceneRequirements, WhatTheModelIsNotIsToldAndNotDrawn) {
             0);
 }
 
+// Three distances of a block are what holds its faces: without one of them, a face is free.
+TEST_F(SceneRequirements, AreEquationsOfTheAccountant) {
+  folder_.file("block.obj",
+               "v 0 0 0\nv 40 0 0\nv 40 30 0\nv 0 30 0\nv 0 0 20\nv 40 0 20\nv 40 30 20\nv 0 30 20\n"
+               "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n");
+  const auto distance = [](const char* from, const char* to, const char* value) {
+    return std::string("[[requirement]]\ntype = \"linear distance\"\nfeature = \"face ") + from + "\"\nto = \"face " +
+           to + "\"\nvalue = \"" + value + "\"\n";
+  };
+  const auto judge = [&](const char* command, const std::string& requirements) {
+    folder_.file("b.toml", "views = [\"front\", \"top\"]\nmodel = {file = \"block.obj\"}\nsheet = {size = \"A3\"}\n" +
+                               requirements);
+    return epura({command, "b.toml"}, folder_ / "");
+  };
+  const std::string two = distance("3", "4", "20.0") + distance("2", "5", "30.0");
+  const Outcome free = judge("lint", two);
+  EXPECT_EQ(free.code, 1);
+  EXPECT_TRUE(contains(free.out, "plane face 6 of 600 mm² at (40, 15, 10): can move along x")) << free.out;
+  EXPECT_TRUE(contains(free.out, "5 of 6 faces held by dimensions")) << free.out;
+  const Outcome undefined = judge("define", two);
+  EXPECT_EQ(undefined.code, 1);
+  EXPECT_TRUE(contains(undefined.out, "5 of 6 faces are found again")) << undefined.out;
+  const std::string three = two + distance("1", "6", "40.0");
+  const Outcome held = judge("lint", three);
+  EXPECT_EQ(held.code, 0) << held.out;
+  EXPECT_TRUE(contains(held.out, "requirements: 3 of 3 are drawn")) << held.out;
+  EXPECT_TRUE(contains(held.out, "6 of 6 faces held by dimensions")) << held.out;
+  const Outcome defined = judge("define", three);
+  EXPECT_EQ(defined.code, 0) << defined.out;
+  EXPECT_TRUE(contains(defined.out, "6 of 6 faces are found again")) << defined.out;
+}
+
 /// What is wrong, and what is said of it.
 struct Wrong {
   std::string lines, message;
