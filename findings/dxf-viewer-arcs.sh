@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # npm's dxf-viewer 1.0.49 draws arcs of DXF below 20 degrees as their chord, whatever minArcTessellationSubdivisions, which is 8, says: one of 15 degrees
 # and a radius of 1 m is 8.6 mm off. It draws one of an array of blocks, splines without their weights, arcs of polylines on a mirrored plane
-# (extrusion direction down) on the other side, and leaves leaders out; it draws what is on paper space. Nothing is said. Long
-# arcs, mirrored circles, blocks and ellipses, base points and hatches are right. Believed: what AutoCAD's reference gives.
+# (extrusion direction down) on the other side, and what is on paper space, and leaves leaders out. Nothing is said. Longer arcs have a chord for
+# each 10 degrees, as its options say; mirrored circles, blocks and ellipses are right. Believed: what AutoCAD's reference gives.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 npm_packages dxf-viewer@1.0.49
 cat >draw.mjs <<'JS'
