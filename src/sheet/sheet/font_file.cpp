@@ -5,6 +5,8 @@
 #include <hb.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <mutex>
 #include <new>
 #include <unordered_map>
@@ -13,6 +15,7 @@
 #include "base/error.hpp"
 
 #include FT_FREETYPE_H
+#include FT_ADVANCES_H
 #include FT_OUTLINE_H
 
 namespace epura::sheet {
@@ -126,6 +129,8 @@ struct FontFile::Open {
   std::mutex reading{};
   std::unordered_map<unsigned, Glyph> glyphs{};
   std::unordered_map<char32_t, unsigned> indices{};  // of characters that were asked for
+  std::once_flag measured{};
+  std::array<double, 0x180> advances{};  // by character, up to Latin Extended-A; NaN: the font does not have it
 };
 
 FontFile::FontFile(std::filesystem::path path, int number, std::string family)
@@ -155,6 +160,24 @@ const Glyph& FontFile::glyph(unsigned index) const {
   const auto found = open_->glyphs.find(index);
   if (found != open_->glyphs.end()) return found->second;
   return open_->glyphs.emplace(index, load_glyph(open_->face, index)).first->second;
+}
+
+std::optional<double> FontFile::advance(char32_t character) const {
+  if (character >= open_->advances.size()) {
+    const unsigned index = index_of(character);
+    return index == 0 ? std::nullopt : std::optional(glyph(index).advance);
+  }
+  std::call_once(open_->measured, [this] {
+    const std::lock_guard lock(open_->reading);
+    for (std::size_t c = 0; c < open_->advances.size(); ++c) {
+      const unsigned index = FT_Get_Char_Index(open_->face, static_cast<FT_ULong>(c));
+      FT_Fixed units = 0;
+      const bool is_there = index != 0 && is_read(FT_Get_Advance(open_->face, index, FT_LOAD_NO_SCALE, &units));
+      open_->advances[c] = is_there ? static_cast<double>(units) : NAN;
+    }
+  });
+  const double known = open_->advances[character];
+  return std::isnan(known) ? std::nullopt : std::optional(known);
 }
 
 double FontFile::units_per_em() const { return open_->face->units_per_EM; }

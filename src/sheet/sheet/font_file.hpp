@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,6 +51,9 @@ class FontFile {
   /// The glyph of a character; 0, a box, if the font does not have it.
   [[nodiscard]] unsigned index_of(char32_t character) const;
   [[nodiscard]] const Glyph& glyph(unsigned index) const;
+  /// How far the pen moves on, in font units; nothing if the font does not have the character. Letters of European
+  /// languages wait for no other thread: widths are measured wherever a text might stand.
+  [[nodiscard]] std::optional<double> advance(char32_t character) const;
   [[nodiscard]] double units_per_em() const;
   /// Height of an H in font units, or 0.7 em in fonts without it; 0 in an H without outline.
   [[nodiscard]] double capital() const;

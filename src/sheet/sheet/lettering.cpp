@@ -131,9 +131,9 @@ std::optional<double> own_width(const FontFile& font, std::string_view text) {
   double units = 0;
   for (const char32_t character : characters(text)) {
     if (is_invisible(character)) continue;
-    const unsigned glyph = font.index_of(is_control(character) ? U' ' : character);
-    if (glyph == 0) return std::nullopt;
-    units += font.glyph(glyph).advance;
+    const auto advance = font.advance(is_control(character) ? U' ' : character);
+    if (!advance) return std::nullopt;
+    units += *advance;
   }
   check(units >= 0, "a line of letters has a width");
   return units;

@@ -7,10 +7,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 
 #include "base/error.hpp"
 #include "folder.hpp"
+#include "sheet/font_file.hpp"
 
 namespace epura::lettering_test {
 namespace {
@@ -84,6 +86,20 @@ TEST(Lettering, WidthsAreTheFontsOwn) {
   EXPECT_NEAR(lettering.em(), face->units_per_EM / capital, 1e-12);
   FT_Done_Face(face);
   FT_Done_FreeType(library);
+}
+
+// Of all letters, whether a table has them or not.
+TEST(Lettering, ThePenMovesAsFarAsTheGlyphSays) {
+  const sheet::FontFile font(sheet::Lettering::usual_font());
+  int known = 0;
+  for (char32_t c = 0; c < 0x2400; ++c) {
+    const auto advance = font.advance(c);
+    ASSERT_EQ(advance.has_value(), font.has(c)) << std::uint32_t(c);
+    if (!advance) continue;
+    ++known;
+    ASSERT_EQ(*advance, font.glyph(font.index_of(c)).advance) << std::uint32_t(c);
+  }
+  EXPECT_GT(known, 300);
 }
 
 // ISO 3098 type B: lines are a tenth of the height wide, small letters seven tenths high. An I is a vertical bar.
