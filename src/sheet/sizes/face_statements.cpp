@@ -74,6 +74,7 @@ class Reader {
         slack_(slack_of(drawn.part)) {}
 
   FaceStatements read(std::span<const DimensionsInView> views) {
+    find_measured(views);
     for (std::size_t view = 0; view < views.size(); ++view)
       for (std::size_t i = 0; i < views[view].dimensions.size(); ++i)
         if (const AnchoredDimension& dimension = views[view].dimensions[i]; !is_auxiliary(dimension)) {
@@ -84,10 +85,31 @@ class Reader {
   }
 
  private:
+  struct OwnCircle {
+    WorldCircle circle;
+    DimensionPlace of;
+  };
+
   [[nodiscard]] const PartSurface& surface(int face) const {
     return part_.faces[static_cast<std::size_t>(face)].surface;
   }
   [[nodiscard]] int all_faces() const { return static_cast<int>(part_.faces.size()); }
+
+  // Circles that have a dimension of their own.
+  void find_measured(std::span<const DimensionsInView> views) {
+    for (std::size_t view = 0; view < views.size(); ++view)
+      for (std::size_t i = 0; i < views[view].dimensions.size(); ++i)
+        if (const AnchoredDimension& one = views[view].dimensions[i]; !is_auxiliary(one))
+          for (const WorldCircle& circle : one.circles) own_circles_.push_back({circle, {view, i}});
+  }
+
+  // Whether a face, of equal ones that are more than a dimension counts, has one of its own.
+  [[nodiscard]] bool is_measured_elsewhere(int face, const DimensionPlace& place) const {
+    return std::ranges::any_of(own_circles_, [&](const OwnCircle& one) {
+      return one.of != place && measured_.is_around(face, one.circle) &&
+             measured_.are_alike(surface(face).radius, one.circle.radius);
+    });
+  }
 
   void read_one(const AnchoredDimension& dimension, const DimensionsInView& view, const DimensionPlace& place) {
     const std::size_t before = found_.statements.size();
@@ -109,14 +131,15 @@ class Reader {
       case DimensionType::radius:
       case DimensionType::diameter:
         read_circle(dimension, place);
-        if (!dimension.circles.empty()) read_note(with_row(dimension, view), place);
+        if (!dimension.circles.empty()) read_note(with_row(dimension, view), view.projection.n, place);
         break;
       default:
         break;
     }
     check(found_.statements.size() >= before, "no dimension takes back what another one says");
     if (found_.statements.size() == before) {
-      found_.unread.push_back(place);
+      // The exact place of a tolerance zone or a datum target is none of a face.
+      if (!dimension.is_exact) found_.unread.push_back(place);
     } else if (const std::optional<StatedSize> size = stated_size(dimension, view, notation_)) {
       if (std::abs(size->stated - size->measured) > size->slack * (1 + definition::same_size))
         found_.untrue.push_back({place, format_rounded(size->measured / size->unit, 6)});
@@ -384,8 +407,13 @@ class Reader {
     check(axes.size() == legs.size(), "each axis has its leg");
     const std::size_t count = axes.size();
     const Vec3 first = glm::normalize(dimension.points[1] - corner);
-    for (const Vec3& fixed : {first, -first, glm::cross(sight, first), -glm::cross(sight, first)})
-      if (measured_.face_along(fixed) >= 0) legs.push_back(radius * fixed);
+    for (const Vec3& fixed : {first, -first, glm::cross(sight, first), -glm::cross(sight, first)}) {
+      if (measured_.face_along(fixed) < 0) continue;
+      legs.push_back(radius * fixed);
+      // An axis on a centre line is where that is.
+      for (std::size_t i = 0; i < count; ++i)
+        if (glm::distance(legs[i], legs.back()) <= slack_) axes[i] = -1;
+    }
     std::vector<Candidate> found;
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = i + 1; j < legs.size(); ++j) {
@@ -400,23 +428,43 @@ class Reader {
     return found;
   }
 
-  void read_circle(const AnchoredDimension& dimension, const DimensionPlace& place) {
-    const int repeats = repeats_of(dimension.text);
+  // The radii of faces around a circle, and of others that its dimension may mean: of fillets only if it is of one.
+  struct Radii {
     std::vector<Row> own, equal;
-    std::vector<int> lines;  // the first faces of axes with that diameter
+    std::vector<int> lines;  // the first faces of axes with that direction
+  };
+
+  [[nodiscard]] Radii radii_of(const AnchoredDimension& dimension, const DimensionPlace& place,
+                               bool with_measured) const {
+    Radii found;
     const std::vector<WorldCircle> others = circles_left_out(dimension);
-    for (const WorldCircle& circle : dimension.circles)
+    for (const WorldCircle& circle : dimension.circles) {
+      const bool with_parts = dimension.type == DimensionType::radius || noted_.is_of_part(circle);
       for (int face = 0; face < all_faces(); ++face) {
         Row row = measured_.size(face, circle.radius);
         const auto is_around = [&](const WorldCircle& one) { return measured_.is_around(face, one); };
+        const bool is_own = is_around(circle);
         if (row.empty() || std::ranges::any_of(others, is_around)) continue;
+        if (!is_own &&
+            ((!with_parts && noted_.is_part(face)) || (!with_measured && is_measured_elsewhere(face, place))))
+          continue;
         // A dimension of a radius gives those of all fillets that are equal on paper.
-        (measured_.is_around(face, circle) ? own : equal).push_back(std::move(row));
+        (is_own ? found.own : found.equal).push_back(std::move(row));
         if (!features::are_parallel(surface(face).axis, circle.axis)) continue;
         if (const int line = measured_.axis_through(unknowns_.anchor(face), circle.axis);
-            std::find(lines.begin(), lines.end(), line) == lines.end())
-          lines.push_back(line);
+            std::find(found.lines.begin(), found.lines.end(), line) == found.lines.end())
+          found.lines.push_back(line);
       }
+    }
+    check(found.lines.size() <= part_.faces.size(), "each axis counts once");
+    return found;
+  }
+
+  void read_circle(const AnchoredDimension& dimension, const DimensionPlace& place) {
+    const int repeats = repeats_of(dimension.text);
+    Radii radii = radii_of(dimension, place, true);
+    if (static_cast<int>(radii.lines.size()) > repeats) radii = radii_of(dimension, place, false);
+    auto& [own, equal, lines] = radii;
     const std::size_t faces = own.size() + equal.size();
     for (const WorldCircle& circle : dimension.circles) {
       Row rim = measured_.rim(circle);
@@ -461,7 +509,7 @@ class Reader {
   // What stands behind a diameter: depths, counterbores, countersinks and threads of faces around the axis, and for
   // "4×" around all axes with the same circle. Nothing else than its size tells which face a number means; of circles
   // of one diameter, a note means those that have all its numbers.
-  void read_note(const AnchoredDimension& dimension, const DimensionPlace& place) {
+  void read_note(const AnchoredDimension& dimension, const Vec3& sight, const DimensionPlace& place) {
     const std::vector<NotedNumber> numbers = noted_numbers(dimension.text, notation_);
     const bool is_thread = gives_thread(dimension.text);
     std::vector<WorldCircle> circles = noted_.equal_circles(dimension);
@@ -476,14 +524,27 @@ class Reader {
     }
     check(meant.size() <= circles.size(), "a note means some of the circles of its size");
     if (!meant.empty()) circles = std::move(meant);
-    const bool are_all = static_cast<int>(circles.size()) <= repeats_of(dimension.text);
-    for (const WorldCircle& one : circles) {
-      for (const NotedNumber& number : numbers) {
-        std::vector<Row> rows = noted_.rows_of(number, one);
-        const bool is_certain = are_all && rows.size() == 1, is_own = &one == &circles.front();
-        is_own ? say(std::move(rows), is_certain) : say_by_count(std::move(rows), is_certain);
-      }
+    for (WorldCircle& one : circles)
+      if (glm::dot(one.axis, sight) < 0) one.axis = -one.axis;
+    for (const NotedNumber& number : numbers) say_number(number, circles, sight, repeats_of(dimension.text));
+    for (const WorldCircle& one : circles)
       if (is_thread) say(noted_.thread(one), false);
+  }
+
+  // For certain if it means one thing around each circle, or as many as there are, as of holes from both sides; of
+  // fewer, in a view along them, those that are nearer to the viewer.
+  void say_number(const NotedNumber& number, std::span<const WorldCircle> circles, const Vec3& sight, int repeats) {
+    std::vector<std::vector<Row>> meant;
+    std::size_t count = 0;
+    for (const WorldCircle& one : circles) count += meant.emplace_back(noted_.rows_of(number, one)).size();
+    check(meant.size() == circles.size(), "a number means something around each circle");
+    const bool are_all = static_cast<int>(circles.size()) <= repeats;
+    for (std::size_t i = 0; i < meant.size(); ++i) {
+      if (static_cast<int>(count) > repeats && number.kind == NumberKind::depth && meant[i].size() > 1 &&
+          features::are_parallel(circles[i].axis, sight))
+        meant[i].resize(1);
+      const bool is_certain = are_all && (meant[i].size() == 1 || static_cast<int>(count) <= repeats);
+      i == 0 ? say(std::move(meant[i]), is_certain) : say_by_count(std::move(meant[i]), is_certain);
     }
   }
 
@@ -515,6 +576,7 @@ class Reader {
   MeasuredFaces measured_;
   NotedFaces noted_;
   double slack_;
+  std::vector<OwnCircle> own_circles_;
   FaceStatements found_;
 };
 

@@ -162,7 +162,10 @@ std::vector<NotedNumber> noted_numbers(std::string text, const Notation& notatio
     if (is_number) {
       const std::string_view all = text;
       const NumberKind kind = kind_of(all.substr(0, i), all.substr(behind), notation);
-      numbers.push_back({kind == NumberKind::degrees ? value : value * scene::millimetres(notation.unit), kind});
+      const auto before = std::find_if(numbers.rbegin(), numbers.rend(),
+                                       [](const NotedNumber& one) { return one.kind == NumberKind::diameter; });
+      numbers.push_back({kind == NumberKind::degrees ? value : value * scene::millimetres(notation.unit), kind,
+                         before == numbers.rend() ? 0 : before->value});
     }
     check(behind > i, "each step goes on in the text");
     i = behind;

@@ -17,6 +17,7 @@ enum class NumberKind { any, diameter, depth, degrees };
 struct NotedNumber {
   double value;  ///< millimetres or degrees
   NumberKind kind;
+  double of = 0;  ///< the diameter before it, in mm, to which a depth or an angle belongs; 0: that of the note
 };
 
 /// All numbers of a note, without the count before "×" at its beginning; their kind by the signs before and behind

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -75,6 +76,22 @@ class DimensionedPart {
     for (sheet::DimensionsInView& view : views) {
       if (number < view.dimensions.size()) {
         if (doubled) view.dimensions.push_back(view.dimensions[number]);
+        view.dimensions[number].text = text;
+        break;
+      }
+      number -= view.dimensions.size();
+    }
+    return find_in(views);
+  }
+
+  /// With another text of one of them, and a second one like it that is changed.
+  [[nodiscard]] sheet::FreeFaces with_second(std::size_t number, const std::string& text,
+                                             const std::function<void(sheet::AnchoredDimension&)>& change) const {
+    std::vector<sheet::DimensionsInView> views = views_;
+    for (sheet::DimensionsInView& view : views) {
+      if (number < view.dimensions.size()) {
+        view.dimensions.push_back(view.dimensions[number]);
+        change(view.dimensions.back());
         view.dimensions[number].text = text;
         break;
       }

@@ -74,6 +74,40 @@ std::string wedge_with_hole() {
   return model.obj();
 }
 
+// From the height where a bore of 6 ends to that of its drill point.
+const double point = 3 / std::tan(59 / 180.0 * std::numbers::pi);
+
+// A plate of 20 with holes drilled 10 deep, and a slot of their radius that is as deep.
+std::string drilled_plate_with_slot() {
+  Plate plate(20);
+  for (const double x : {0.0, 40.0}) {
+    const Vec2 at(x + 20, 15);
+    plate.cell(square({x, 0}, {40, 30}),
+               {{circle(at, 3, -135), 20}, {circle(at, 3, -135), 10}, {circle(at, 0, -135), 10 - point}});
+  }
+  const Loop end = slot({100, 15}, 3, 12);
+  plate.cell(square({80, 0}, {40, 30}), {{end, 20}, {end, 10}});
+  return plate.obj();
+}
+
+// A plate of 30, drilled 10 deep from both sides on one axis.
+std::string plate_drilled_from_both_sides() {
+  const Loop border = square({0, 0}, {60, 40}), round = circle(hole_at, 3, -135);
+  Model model;
+  for (std::size_t p = 0; p < border.size(); ++p) {
+    const std::size_t q = (p + 1) % border.size();
+    model.face({Vec3(border[q], 30), Vec3(border[p], 30), Vec3(border[p], 0), Vec3(border[q], 0)});
+    for (const bool is_up : {true, false}) {
+      const std::size_t a = is_up ? p : q, b = is_up ? q : p;
+      const double top = is_up ? 30 : 0, floor = is_up ? 20 : 10, tip = is_up ? 20 - point : 10 + point;
+      model.face({Vec3(border[a], top), Vec3(border[b], top), Vec3(round[b], top), Vec3(round[a], top)});
+      model.face({Vec3(round[a], top), Vec3(round[b], top), Vec3(round[b], floor), Vec3(round[a], floor)});
+      model.face({Vec3(round[a], floor), Vec3(round[b], floor), Vec3(hole_at, tip)});
+    }
+  }
+  return model.obj();
+}
+
 // What automatic dimensions of a part are, with `holes`, in views of which the first may be a section.
 sheet::AutomaticPlan plan_of(const world::World& world, HoleDimensions holes,
                              const std::vector<sheet::NamedProjection>& views) {
@@ -100,6 +134,12 @@ bool has(const std::vector<std::string>& texts, const std::string& text) {
   return std::find(texts.begin(), texts.end(), text) != texts.end();
 }
 
+std::size_t number_of(const DimensionedPart& part, const std::string& text) {
+  const auto at = std::find(part.texts.begin(), part.texts.end(), text);
+  EXPECT_NE(at, part.texts.end()) << testing::PrintToString(part.texts);
+  return static_cast<std::size_t>(at - part.texts.begin());
+}
+
 }  // namespace
 
 // The plate is as thick as the countersink is wide: only the sign tells which is meant.
@@ -110,9 +150,86 @@ TEST(NotedHoles, OfCountersinksAreHeldByDiameterAndAngle) {
 }
 
 TEST(NotedHoles, OfDrillPointsAreHeldByTheirDepth) {
-  const double point = 3 / std::tan(59 / 180.0 * std::numbers::pi);
-  const DimensionedPart part(plate_with({{3, 10}, {3, 3 + point}}, false));
+  for (const HoleDimensions holes : {HoleDimensions::notes, HoleDimensions::table})
+    EXPECT_EQ(faults_of(DimensionedPart(plate_with({{3, 10}, {3, 3 + point}}, false), holes)), "");
+}
+
+// Its floor is as far from the bottom of the plate as from the top: a depth goes along the wall of its diameter.
+TEST(NotedHoles, OfCounterboresAreHeldByDiameterAndDepth) {
+  for (const HoleDimensions holes : {HoleDimensions::notes, HoleDimensions::table})
+    EXPECT_EQ(faults_of(DimensionedPart(plate_with({{5, 10}, {5, 5}, {2.5, 5}, {2.5, 0}}, true), holes)), "");
+}
+
+// The ends of the slot have the radius and the depth of the holes, but they are none.
+TEST(NotedHoles, AreCountedWithoutEndsOfSlots) {
+  const DimensionedPart part(drilled_plate_with_slot());
+  ASSERT_TRUE(has(part.texts, "2× <> ↧10")) << testing::PrintToString(part.texts);
   EXPECT_EQ(faults_of(part), "");
+}
+
+// "2×" of three equal holes, of which the third has a tolerance of its own.
+TEST(NotedHoles, AreCountedWithoutThoseThatHaveADimensionOfTheirOwn) {
+  Plate plate(10);
+  for (const double x : {0.0, 40.0, 80.0}) {
+    const Loop hole = circle({x + 20, 15}, 3, -135);
+    plate.cell(square({x, 0}, {40, 30}), {{hole, 10}, {hole, 0}});
+  }
+  const DimensionedPart part(plate.obj());
+  const std::size_t number = number_of(part, "3× <>");
+  EXPECT_FALSE(part.with_text(number, "2× ⌀6", false).undecided.empty());
+  // The note is at one of the holes; the tolerance is at each of the others in turn, or at the same.
+  int complete = 0;
+  for (const double x : {20.0, 60.0, 100.0}) {
+    const sheet::FreeFaces faces = part.with_second(number, "2× ⌀6", [x](sheet::AnchoredDimension& other) {
+      other.text = "⌀6 ±0.1";
+      other.circles.front().centre = Vec3(x, 15, 10);
+    });
+    EXPECT_TRUE(faces.untrue.empty());
+    if (faces.free.empty() && faces.undecided.empty()) ++complete;
+  }
+  EXPECT_EQ(complete, 2);
+}
+
+// Without the count, the note means the hole that the view looks into.
+TEST(NotedHoles, FromBothSidesOnOneAxisAreTwo) {
+  const DimensionedPart part(plate_drilled_from_both_sides());
+  const std::size_t number = number_of(part, "2× <> ↧10");
+  EXPECT_EQ(faults_of(part), "");
+  const sheet::FreeFaces one = part.with_text(number, "⌀6 ↧10", false);
+  EXPECT_TRUE(one.undecided.empty()) << testing::PrintToString(one.undecided);
+  EXPECT_EQ(one.free.size(), 1U);
+}
+
+// Ten of twelve on a circle: two are on a centre line, so eight angles are all.
+TEST(NotedHoles, OnCentreLinesNeedNoAngle) {
+  Plate plate(10);
+  for (const double middle : {0.0, 30.0, 60.0, 90.0, 120.0, 150.0, 180.0, 210.0, 240.0, 270.0, 300.0, 330.0}) {
+    const auto at = [](double radius, double angle) { return radius * Vec2(cosine(angle), sine(angle)); };
+    Loop sector = square({20, middle - 15}, {70, 30});
+    for (Vec2& p : sector) p = at(p.x, p.y);
+    const Loop hole = circle(at(55, middle), 4, middle - 135);
+    plate.cell(sector, middle == 0 || middle == 180 ? Hole() : Hole{{hole, 10}, {hole, 0}});
+  }
+  const DimensionedPart part(plate.obj());
+  number_of(part, "8× <>");
+  EXPECT_EQ(faults_of(part), "");
+}
+
+// What files give as theoretically exact is the place of a zone or of a datum target, where no face need be: it does
+// not leave open whether a face can move.
+TEST(NotedHoles, ExactPlacesAreNoneOfFaces) {
+  const DimensionedPart part(plate_with({{3, 10}, {3, 0}}, true));
+  for (const bool is_exact : {false, true}) {
+    const sheet::FreeFaces faces =
+        part.with_second(number_of(part, ""), "(<>)", [is_exact](sheet::AnchoredDimension& other) {
+          other.type = DimensionType::linear;
+          other.direction = DimensionDirection::horizontal;
+          other.points = {{7, 0, 3}, {13, 0, 3}};
+          other.is_exact = is_exact;
+        });
+    EXPECT_EQ(faces.undecided.empty(), is_exact) << testing::PrintToString(faces.undecided);
+    EXPECT_EQ(faces.free.empty(), !is_exact);
+  }
 }
 
 // Along the slope on which it begins, wherever it ends.
