@@ -108,11 +108,13 @@ inline std::vector<std::string> sizes_over_turned(const Vec2& size, double degre
 }
 
 /// A plate that is turned as a whole, with a round hole and a rectangular one: places along its own axes, one angle.
-inline std::vector<KnownPart> turned_plates() {
+/// Where both are at one height, that is one place.
+inline std::vector<KnownPart> turned_plates(bool in_line) {
   std::vector<KnownPart> parts;
   for (int i = 0; i < variants; ++i) {
     const double degrees = 6 + 1.75 * i, r = 3 + 0.25 * i;
-    const Vec2 size(30, 36 + 0.5 * i), place(13, 14 + 0.45 * i), window(46 + 0.25 * i, 20), opening(12, 9 + 0.25 * i);
+    const Vec2 size(30, 36 + 0.5 * i), place(13, in_line ? 20 : 14 + 0.45 * i), window(46 + 0.25 * i, 20),
+        opening(12, 9 + 0.25 * i);
     const auto turn = [&](const Loop& loop) { return turned(loop, {0, 0}, degrees); };
     const Loop hole = turn(circle(place, r, -135)), corners = turn(square(window - opening / 2.0, opening));
     Plate plate(10);
@@ -121,12 +123,16 @@ inline std::vector<KnownPart> turned_plates() {
     KnownPart part{"a plate turned by " + number(degrees), plate.obj(), sizes_over_turned({60, size.y}, degrees)};
     for (const std::string& text :
          {std::string("10"), std::string("60"), number(size.y), number(degrees) + "°", "⌀" + number(2 * r),
-          number(place.x), number(place.y), number(opening.x), number(opening.y), number(window.x), std::string("20")})
+          number(place.x), number(opening.x), number(opening.y), number(window.x), std::string("20")})
       part.texts.push_back(text);
+    if (!in_line) part.texts.push_back(number(place.y));
     parts.push_back(part);
   }
   return parts;
 }
+
+inline std::vector<KnownPart> turned_plates_with_two_heights() { return turned_plates(false); }
+inline std::vector<KnownPart> turned_plates_with_one_height() { return turned_plates(true); }
 
 /// The same with rounded corners and without holes.
 inline std::vector<KnownPart> turned_rounded_plates() {

@@ -244,12 +244,16 @@ void add_symmetry(DrawnPart& drawn, const ParallelPlanes& planes, const features
   check(drawn.part.faces.size() >= drawn.faces, "the faces of the model come before what is only drawn");
 }
 
-// What a dimension measures from or to is no face, corner or axis, but the middle between faces.
+// What a dimension measures from or to is no face, corner or axis, but the middle between faces; along the own axes of
+// a turned part, where rectangles have their places by their middles, also that in line with an axis.
 void add_middles(DrawnPart& drawn, const ParallelPlanes& planes, const Vec3& point, const Vec3& along) {
   const double slack = slack_of(drawn.part);
   const std::vector<definition::Face>& faces = drawn.part.faces;
+  const bool is_own =
+      std::ranges::any_of(drawn.marks.own_axes, [&](const Vec3& own) { return features::are_parallel(own, along); });
   if (std::any_of(faces.begin(), faces.end(), [&](const definition::Face& face) {
-        return definition::has_place_along(face.surface, along) &&
+        return (!is_own || face.surface.kind == SurfaceKind::plane) &&
+               definition::has_place_along(face.surface, along) &&
                std::abs(glm::dot(point - face.surface.origin, along)) <= slack;
       }))
     return;
