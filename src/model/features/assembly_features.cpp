@@ -27,16 +27,26 @@ bool is_filled_by(const HoleFeature& hole, const CylinderFeature& shaft) {
   return high > -hole.depth.value_or(looks_into * hole.diameter) && low < 0;
 }
 
-// By model and number.
-std::map<std::array<int, 2>, Box> boxes_of_bodies(const world::World& world) {
-  std::map<std::array<int, 2>, Box> boxes;
+struct Bodies {
+  std::map<std::array<int, 2>, Box> boxes{};  // by model and number
+  Box whole{};
+
+  [[nodiscard]] bool is_placed(const Box& box) const {
+    return glm::length(box.size()) >= min_part * glm::length(whole.size());
+  }
+};
+
+Bodies bodies_of(const world::World& world) {
+  Bodies bodies;
   for (std::size_t m = 0; m < world.models.size(); ++m) {
     const std::vector<int>& body = world.models[m].mesh->body;
     for (std::size_t t = 0; t < body.size(); ++t)
       for (const int v : world.triangles[static_cast<std::size_t>(world.first_triangle[m]) + t])
-        boxes[{static_cast<int>(m), body[t]}].add(world.points[static_cast<std::size_t>(v)]);
+        bodies.boxes[{static_cast<int>(m), body[t]}].add(world.points[static_cast<std::size_t>(v)]);
   }
-  return boxes;
+  for (const auto& [number, box] : bodies.boxes)
+    bodies.whole = {glm::min(bodies.whole.min, box.min), glm::max(bodies.whole.max, box.max)};
+  return bodies;
 }
 
 /// A line in the middle of a part, along an axis of the world.
@@ -139,12 +149,9 @@ PartFeatures assembly_features(const world::World& world, const PartFeatures& al
       features.holes.push_back(hole);
   features.pitch_circles = all.pitch_circles;
   features.inclined = all.inclined;
-  const std::map<std::array<int, 2>, Box> boxes = boxes_of_bodies(world);
-  Box whole;
-  for (const auto& [number, box] : boxes) whole = {glm::min(whole.min, box.min), glm::max(whole.max, box.max)};
-  for (const auto& [number, box] : boxes)
-    if (glm::length(box.size()) >= min_part * glm::length(whole.size()))
-      add_levels(features.levels, box, whole, middle_axis(box, all));
+  const Bodies bodies = bodies_of(world);
+  for (const auto& [number, box] : bodies.boxes)
+    if (bodies.is_placed(box)) add_levels(features.levels, box, bodies.whole, middle_axis(box, all));
   std::stable_sort(features.levels.begin(), features.levels.end(), [](const LevelFeature& a, const LevelFeature& b) {
     return std::pair(a.axis, a.at) < std::pair(b.axis, b.at);
   });
@@ -158,6 +165,12 @@ std::vector<std::string> unplaced_parts(const std::array<std::size_t, 3>& unplac
     if (unplaced[axis] > 0)
       names.push_back(std::to_string(unplaced[axis]) + " places of parts along " + std::string(1, "xyz"[axis]));
   return names;
+}
+
+std::size_t parts_without_place(const world::World& world) {
+  const Bodies bodies = bodies_of(world);
+  return static_cast<std::size_t>(std::count_if(bodies.boxes.begin(), bodies.boxes.end(),
+                                                [&](const auto& one) { return !bodies.is_placed(one.second); }));
 }
 
 PartFeatures features_to_dimension(const world::World& world, const Progress& progress) {

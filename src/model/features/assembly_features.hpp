@@ -24,6 +24,9 @@ PartFeatures assembly_features(const world::World& world, const PartFeatures& al
 /// "43 places of parts along x", by axis with any: of PartFeatures::unplaced.
 std::vector<std::string> unplaced_parts(const std::array<std::size_t, 3>& unplaced);
 
+/// How many parts are too small for a place, as above.
+std::size_t parts_without_place(const world::World& world);
+
 /// The features that a drawing of the world gives sizes for. Throws OutOfTime.
 PartFeatures features_to_dimension(const world::World& world, const Progress& progress = {});
 

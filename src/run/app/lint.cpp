@@ -79,17 +79,22 @@ int missing_in(const std::vector<report::SizeCount>& sizes) {
 
 // "53 of 56 plane faces, 12 of 12 holes; 3 have none"
 std::string text_of(const std::vector<report::SizeCount>& sizes) {
-  constexpr const char* no_faces = "no faces are counted";  // of assemblies and models without recognised faces
-  if (sizes.empty()) return std::string(no_faces) + ", only overall sizes and places of parts are checked";
+  const auto any = [&sizes](std::string_view word) {
+    return std::any_of(sizes.begin(), sizes.end(), [word](const auto& one) {
+      return std::string_view(one.kind).find(word) != std::string_view::npos;
+    });
+  };
+  if (sizes.empty()) return "no faces are counted, only overall sizes are checked";  // none is recognised
   std::string text;
   int unsure = 0;
   for (const report::SizeCount& one : sizes) {
     append_to_list(text, std::to_string(one.given) + " of " + std::to_string(one.all) + " " + one.kind);
     unsure += one.unsure;
   }
-  if (std::none_of(sizes.begin(), sizes.end(),
-                   [](const auto& one) { return std::string_view(one.kind).find("faces") != std::string_view::npos; }))
-    append_to_list(text, no_faces);
+  if (any("places of parts"))
+    append_to_list(text, "the faces of parts are not counted, they are for drawings of their own");
+  else if (!any("faces"))
+    append_to_list(text, "no faces are counted");
   if (const int missing = missing_in(sizes); missing > 0)
     text += "; " + std::to_string(missing) + (missing == 1 ? " has none" : " have none");
   if (unsure > 0) text += "; of " + std::to_string(unsure) + " nobody can tell";

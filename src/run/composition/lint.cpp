@@ -83,6 +83,9 @@ void add_uncovered_sizes(report::Report& report, const JudgedSheets& sheets, std
     findings.push_back({report::FindingKind::undimensioned, "", what});
   for (const std::string& what : features::unplaced_parts(features.unplaced))
     findings.push_back({report::FindingKind::undimensioned, "", what});
+  if (const std::size_t small = features.of_assembly ? features::parts_without_place(world) : 0; small > 0)
+    findings.push_back({report::FindingKind::undecided, "",
+                        "where parts are that are smaller than a hundredth of the assembly: " + std::to_string(small)});
   for (const sheet::DimensionsInView& view : views) find_cut_off(findings, scene, view);
   for (const std::string& what : coverage.repeated) findings.push_back({report::FindingKind::repeated, "", what});
   report.sizes = std::move(coverage.counts);

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <span>
 #include <string>
 #include <utility>
@@ -369,6 +370,17 @@ report::SizeCount count_holes(const Dimensioned& sheet, const JoinedPlaces& plac
   return {"holes", placed, static_cast<int>(holes.size())};
 }
 
+// Where the parts of an assembly are, along each axis.
+report::SizeCount count_places(const Dimensioned& sheet, const JoinedPlaces& places) {
+  const features::PartFeatures& features = sheet.subject.features;
+  const auto placed =
+      std::count_if(features.levels.begin(), features.levels.end(),
+                    [&](const features::LevelFeature& level) { return places.has(level.axis, level.at); });
+  const std::size_t all = std::accumulate(features.unplaced.begin(), features.unplaced.end(), features.levels.size());
+  check(placed <= static_cast<std::ptrdiff_t>(all), "each place is given once");
+  return {"places of parts", static_cast<int>(placed), static_cast<int>(all)};
+}
+
 // Equal ones once, with their number.
 Sentences merged(const Sentences& sentences) {
   std::vector<std::pair<std::string, int>> counted;
@@ -415,6 +427,7 @@ Coverage find_coverage(std::span<const DimensionsInView> views, const DimensionS
   Coverage coverage{std::move(faces.counts), merged(missing), merged(joined(places.repeated, repeated_sizes(sheet))),
                     distinct(joined(sizes.views, of_models.views))};
   if (!coverage.undimensioned.empty()) coverage.transform_to_add = sheet.transform;
+  if (subject.features.of_assembly) coverage.counts.push_back(count_places(sheet, places));
   if (!subject.features.holes.empty()) coverage.counts.push_back(count_holes(sheet, places, turned.holes));
   return coverage;
 }

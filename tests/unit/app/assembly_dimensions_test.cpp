@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "drawn_texts.hpp"
@@ -55,6 +56,19 @@ TEST(AssemblyDimensions, AreOverallSizesAndPlacesOfParts) {
     EXPECT_EQ(run.code, 0) << run.out << run.err;
   }
   EXPECT_EQ(sorted(dimensions_in(read_file(folder / "x.svg"))), sorted({"40", "20", "26", "12", "5", "10"}));
+}
+
+// What of an assembly is counted, and what is not: the view from the front shows no place along y.
+TEST(AssemblyDimensions, AreCountedByPlaces) {
+  const Folder folder;
+  folder.file("three.obj", box({0, 0, 0}, {40, 20, 10}, 1) + box({12, 5, 10}, {21, 14, 26}, 9) +
+                               box({30, 7, 10}, {30.1, 7.1, 10.1}, 17));
+  for (const auto& [views, count] : {std::pair("front,top,left", "3 of 3"), std::pair("front", "2 of 3")}) {
+    const Outcome run = epura({"lint", "three.obj", "--views", views, "--dimensions", "auto"}, folder / "");
+    EXPECT_TRUE(contains(run.out, std::string(count) + " places of parts, the faces of parts are not counted"))
+        << run.out;
+    EXPECT_TRUE(contains(run.out, "where parts are that are smaller than a hundredth of the assembly: 1")) << run.out;
+  }
 }
 
 // An upright pin of 48 sides, as a closed body.
