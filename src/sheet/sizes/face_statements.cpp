@@ -526,14 +526,20 @@ class Reader {
     if (!meant.empty()) circles = std::move(meant);
     for (WorldCircle& one : circles)
       if (glm::dot(one.axis, sight) < 0) one.axis = -one.axis;
-    for (const NotedNumber& number : numbers) say_number(number, circles, sight, repeats_of(dimension.text));
+    std::vector<Statement> of_others;
+    for (const NotedNumber& number : numbers)
+      for (Statement& one : say_number(number, circles, sight, repeats_of(dimension.text)))
+        of_others.push_back(std::move(one));
+    for (Statement& one : of_others) say_by_count(std::move(one.rows), one.is_certain);
     for (const WorldCircle& one : circles)
       if (is_thread) say(noted_.thread(one), false);
   }
 
   // For certain if it means one thing around each circle, or as many as there are, as of holes from both sides; of
-  // fewer, in a view along them, those that are nearer to the viewer.
-  void say_number(const NotedNumber& number, std::span<const WorldCircle> circles, const Vec3& sight, int repeats) {
+  // fewer, in a view along them, those that are nearer to the viewer. What it says of circles after the first one.
+  std::vector<Statement> say_number(const NotedNumber& number, std::span<const WorldCircle> circles, const Vec3& sight,
+                                    int repeats) {
+    std::vector<Statement> of_others;
     std::vector<std::vector<Row>> meant;
     std::size_t count = 0;
     for (const WorldCircle& one : circles) count += meant.emplace_back(noted_.rows_of(number, one)).size();
@@ -544,8 +550,10 @@ class Reader {
           features::are_parallel(circles[i].axis, sight))
         meant[i].resize(1);
       const bool is_certain = are_all && (meant[i].size() == 1 || static_cast<int>(count) <= repeats);
-      i == 0 ? say(std::move(meant[i]), is_certain) : say_by_count(std::move(meant[i]), is_certain);
+      if (i == 0) say(std::move(meant[i]), is_certain);
+      if (i > 0) of_others.push_back({"", std::move(meant[i]), is_certain});
     }
+    return of_others;
   }
 
   // Those of the same size that a note cannot mean, by what else it says.
