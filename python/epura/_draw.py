@@ -120,10 +120,10 @@ def draw(
 ) -> Drawing:
     """Draws a `Scene`, a scene file (.toml), or one model: whatever `Model` takes, or vertices (n, 3) with faces.
 
-    Of one model: `projection` is its view, by default isometric, with `parameters` (`epura plugins NAME`); `views` are
-    several instead. `hidden`: style of hidden lines; `size` of the paper, such as "A4"; `scale`: mm on paper per mm, or
-    "1:2"; `title`; `sheet`: other options of the sheet; `dimensions`: "overall", "auto" or "hole-table", or a list, with
-    `arrangement`; `section` of a single view: "0,0,10:0,-1,0", or a Section; `explode`: a factor; `parts_list`; and all
+    Of one model: `projection` is its view, by default isometric, and "auto" with automatic dimensions, with `parameters`
+    (`epura plugins NAME`); `views` are several instead. `hidden`: style of hidden lines; `size` of the paper, such as
+    "A4"; `scale`: mm on paper per mm, or "1:2"; `title`; `sheet`: other options of the sheet; `dimensions`: "overall",
+    "auto" or "hole-table", or a list, with `arrangement`; `section` of a single view: "0,0,10:0,-1,0", or a Section; `explode`: a factor; `parts_list`; and all
     options of `View`, `Sheet` and `Model`, and fields of the title block, by their names: `edges=["contour"]`,
     `angle="third"`, `unit="in"`, `owner="Works"`.
 
@@ -157,8 +157,10 @@ def draw(
             scene = model
         else:
             parts = parted(options, [*(name for name in of_one if name not in options), *settings])
+            has_sizes = dimensions in ("auto", "hole-table") and section is None
             scene = Scene(models=[_model_of(model, faces, parts)],
-                          views=_views_of(projection, parameters, views, {"hidden": hidden, **parts.view}),
+                          views=_views_of(projection, parameters, views, {"hidden": hidden, **parts.view},
+                                          "auto" if has_sizes else "isometric"),
                           sheets=_sheets_of(sheet, {"size": size, "scale": scale, **parts.sheet},
                                             {"title": title, **parts.title_block}),
                           dimensions=dimensions_of(dimensions, arrangement),
@@ -190,10 +192,10 @@ def _given(values: Mapping[str, Any]) -> Dict[str, Any]:
 
 
 def _views_of(projection: Any, parameters: Optional[Mapping[str, Any]], views: Optional[Sequence[Any]],
-              options: Mapping[str, Any]) -> List[Any]:
+              options: Mapping[str, Any], usual: str) -> List[Any]:
     given = _given(options)
     if views is None:
-        name = "isometric" if projection is None else projection
+        name = usual if projection is None else projection
         return [View({"name": name, **parameters} if parameters else name, **given)]
     for option, value in (("projection", projection), ("parameters", parameters)):
         if value is not None:

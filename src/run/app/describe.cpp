@@ -109,16 +109,18 @@ scene::SceneDescription describe(const DrawOptions& options) {
     scene.models = models_of(options);
     scene.views = views_of(options);
   }
-  for (scene::ViewDescription& view : scene.views) scene::overrule(view, options.view, scene::view_options());
-  if (scene.views.empty())
-    (scene.views.emplace_back() = options.view).projection = {scene::ProjectionRequest{"isometric"}, "--projection"};
-  if (options.section.given()) cut_by_option(scene, options.section);
-  add_details(scene, options.details);
-  if (options.explode.given()) scene.explosions.push_back({.where = options.explode.where, .factor = options.explode});
   if (options.arrangement.given() &&
       options.dimensions.value_or(AutomaticDimensions::overall) == AutomaticDimensions::overall)
     throw Error(ErrorKind::input, options.arrangement.where, "needs automatic dimensions", "add --dimensions auto");
   if (options.dimensions.given()) add_dimensions(scene, options);
+  for (scene::ViewDescription& view : scene.views) scene::overrule(view, options.view, scene::view_options());
+  const bool is_single = options.section.given() || !options.details.empty();
+  if (scene.views.empty())
+    (scene.views.emplace_back() = options.view).projection = {
+        scene::ProjectionRequest{is_single ? "isometric" : pipeline::usual_projection(scene)}, "--projection"};
+  if (options.section.given()) cut_by_option(scene, options.section);
+  add_details(scene, options.details);
+  if (options.explode.given()) scene.explosions.push_back({.where = options.explode.where, .factor = options.explode});
   scene.dimensions.insert(scene.dimensions.end(), options.tolerances.begin(), options.tolerances.end());
   if (options.parts_list && !scene.parts_list) scene.parts_list = scene::PartsListDescription{"--parts-list"};
   pipeline::expand_saved_views(scene, options.run);

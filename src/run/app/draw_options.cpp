@@ -144,8 +144,8 @@ scene::Options<Draw> view_and_line_options() {
   return {
       projections_option("projection of a view, NAME[:key=value...]; repeat for more views; 'epura plugins' lists them",
                          &Draw::projections),
-      views_option("several views on one sheet, e.g. front,top,left,isometric; auto: front, top, left, and those "
-                   "that show what requirements and automatic dimensions lack",
+      views_option("several views on one sheet, e.g. front,top,left,isometric; auto, the default with automatic "
+                   "dimensions: front, top, left, and those that show what these and requirements lack",
                    &Draw::views),
       scene::option<Draw>({.flag = "--section",
                            .help = "cut the models, e.g. 0,0,10:0,-1,0; removes the side that the normal points to"},

@@ -16,6 +16,7 @@
 #include "sheet/form.hpp"
 #include "sheet/paper.hpp"
 #include "views/choose.hpp"
+#include "views/view_plan.hpp"
 #include "world/exploded_world.hpp"
 
 namespace epura::pipeline {
@@ -101,6 +102,10 @@ void take_size_of_form(scene::SheetDescription& sheet) {
 
 }  // namespace
 
+const char* usual_projection(const scene::SceneDescription& scene) {
+  return dimensions_features(scene) ? "auto" : "isometric";
+}
+
 void complete_scene(scene::SceneDescription& scene) {
   for (scene::ModelDescription& model : scene.models) take_parameters(model);
   const auto is_piped = [](const scene::ModelDescription& model) {
@@ -109,7 +114,7 @@ void complete_scene(scene::SceneDescription& scene) {
   if (std::count_if(scene.models.begin(), scene.models.end(), is_piped) > 1)
     throw Error(ErrorKind::input, importer::standard_input, "standard input is one model, and is given twice");
   if (scene.views.empty())
-    scene.views.emplace_back().projection = {scene::ProjectionRequest{"isometric"}, "--projection"};
+    scene.views.emplace_back().projection = {scene::ProjectionRequest{usual_projection(scene)}, "--projection"};
   const auto epuras = expand_epuras(scene.views);
   expand_automatic(scene.views);
   for (scene::ViewDescription& view : scene.views) {
@@ -132,12 +137,6 @@ void complete_scene(scene::SceneDescription& scene) {
   int sheets = 1;
   for (const scene::ViewDescription& view : scene.views) sheets = std::max(sheets, view.sheet.value_or(1));
   if (scene.sheets.empty()) scene.sheets.resize(static_cast<std::size_t>(sheets));
-  // Nobody has chosen paper for views that nobody has chosen.
-  for (const scene::ViewDescription& view : scene.views)
-    if (const int sheet = view.sheet.value_or(1) - 1;
-        view.is_automatic && sheet < static_cast<int>(scene.sheets.size()))
-      if (auto& size = scene.sheets[static_cast<std::size_t>(sheet)].size; !size.given())
-        size = {scene::PaperChoice{scene::PaperChoice::Kind::automatic, 0, {0, 0}}, view.projection.where};
   for (const auto& [sheet, where] : epuras)
     if (sheet <= static_cast<int>(scene.sheets.size()))
       scene.sheets[static_cast<std::size_t>(sheet) - 1].layout = {SheetLayout::monge, where};
@@ -147,6 +146,12 @@ void complete_scene(scene::SceneDescription& scene) {
 
 void complete_sheets(scene::SceneDescription& scene) {
   for (scene::SheetDescription& sheet : scene.sheets) take_size_of_form(sheet);
+  // Nobody has chosen paper for views that nobody has chosen.
+  for (const scene::ViewDescription& view : scene.views)
+    if (const int sheet = view.sheet.value_or(1) - 1;
+        view.is_automatic && sheet < static_cast<int>(scene.sheets.size()))
+      if (auto& size = scene.sheets[static_cast<std::size_t>(sheet)].size; !size.given())
+        size = {scene::PaperChoice{scene::PaperChoice::Kind::automatic, 0, {0, 0}}, view.projection.where};
 }
 
 }  // namespace epura::pipeline

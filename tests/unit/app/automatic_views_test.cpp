@@ -126,6 +126,29 @@ TEST_F(AutomaticViews, ARevisionHasTheViewsOfTheNewVersion) {
   EXPECT_EQ(views(), "front top left bottom");
 }
 
+TEST_F(AutomaticViews, AreTheDefaultOfAutomaticDimensions) {
+  const auto views_with = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> words{"draw", "block.obj", "-o", "a.json"};
+    words.insert(words.end(), more.begin(), more.end());
+    epura(words, folder_ / "");
+    return views();
+  };
+  EXPECT_EQ(views_with({"--dimensions", "auto"}).substr(0, 14), "front top left");
+  EXPECT_EQ(views_with({"--dimensions", "hole-table"}).substr(0, 14), "front top left");
+  EXPECT_EQ(views_with({"--dimensions", "auto", "--projection", "top"}), "top");
+  EXPECT_EQ(views_with({"--dimensions", "overall"}), "isometric");
+}
+
+// A template has a size of its own.
+TEST_F(AutomaticViews, AreOnThePaperOfATemplate) {
+  const Outcome drawn = epura({"draw", "block.obj", "--dimensions", "auto", "--template",
+                               EPURA_TEST_SAMPLES "/frames/frame.svg", "-o", "a.json"},
+                              folder_ / "");
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  const Json drawing = JsonReader(read_file(folder_ / "a.json")).read();
+  EXPECT_EQ(drawing["sheet"]["size"].items.at(0).number(), 420);
+}
+
 class SkewViews : public AutomaticViews {
  protected:
   SkewViews() : AutomaticViews(0.6, 0.8) {}
