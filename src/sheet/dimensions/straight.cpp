@@ -25,6 +25,11 @@ double reach_over(double lean, const DimensionText& text, const DimensionStyle& 
   return lean * top_of(text, style);
 }
 
+// What a text between extension lines leaves of a dimension line; negative if it does not fit.
+double room_beside(double span, double lean, const DimensionText& text, const DimensionStyle& style) {
+  return span - std::abs(reach_over(lean, text, style)) - style.width(text) - style.above();
+}
+
 double lean_of(const MeasuredLength& length) {
   const Vec2 read = reading_direction(length.along);
   return glm::dot(length.extension, read) / glm::dot(length.extension, left_of(read));
@@ -71,12 +76,11 @@ Layout layout_beside(const DimensionLine& base, const DimensionText& text, const
 }
 
 Layout layout_of(const DimensionLine& base, const DimensionText& text, int place, const DimensionStyle& style) {
-  const double reach = reach_over(base.lean, text, style);
-  const double left = base.span - std::abs(reach) - style.width(text) - style.above();
-  if (left < 0) return layout_beside(base, text, {place == 0, 0}, style);
+  const double room = room_beside(base.span, base.lean, text, style);
+  if (room < 0) return layout_beside(base, text, {place == 0, 0}, style);
   constexpr std::array<double, text_places> shifts{0, 0.5, -0.5, 1, -1};
   Layout layout = layout_of_arrows(base, style);
-  layout.text_middle += reach / 2 + shifts[std::size_t(place)] * left / 2;
+  layout.text_middle += reach_over(base.lean, text, style) / 2 + shifts[std::size_t(place)] * room / 2;
   return layout;
 }
 
@@ -160,8 +164,7 @@ void add_dimension_line(PlacedDimension& dimension, const DimensionLine& line, c
 }
 
 bool fits_inside(const MeasuredLength& length, const DimensionText& text, const DimensionStyle& style) {
-  const double reach = reach_over(lean_of(length), text, style);
-  return style.width(text) + style.above() <= span_of(length) - std::abs(reach);
+  return room_beside(span_of(length), lean_of(length), text, style) >= 0;
 }
 
 PlacedDimension straight_dimension(const MeasuredLength& length, const DimensionText& text, double distance, int place,

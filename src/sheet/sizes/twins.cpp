@@ -73,11 +73,14 @@ bool are_one_circle(const WorldCircle& a, const WorldCircle& b) {
          features::distance_from_line(b.centre, a.centre, a.axis) <= slack;
 }
 
+WorldCircle circle_of(const features::HoleFeature& hole) {
+  return {hole.mouth, hole.axis, hole.called() / 2, {}, true};
+}
+
 // The hole of which a circle is; null if it is of none.
 const features::HoleFeature* hole_at(const WorldCircle& circle, const features::PartFeatures& features) {
-  const auto hole = std::ranges::find_if(features.holes, [&circle](const features::HoleFeature& one) {
-    return are_one_circle({one.mouth, one.axis, one.called() / 2, {}, true}, circle);
-  });
+  const auto hole = std::ranges::find_if(
+      features.holes, [&circle](const features::HoleFeature& one) { return are_one_circle(circle_of(one), circle); });
   return hole == features.holes.end() ? nullptr : &*hole;
 }
 
@@ -172,8 +175,7 @@ void leave_to_others(DimensionDescription& automatic, int count, const MeasuredG
   };
   const features::HoleFeature* at = is_given(own) ? hole_at(own, features) : nullptr;
   const auto other = std::ranges::find_if(features.holes, [&](const features::HoleFeature& hole) {
-    return at != nullptr && features::are_equal(*at, hole) &&
-           !is_given({hole.mouth, hole.axis, hole.called() / 2, {}, true});
+    return at != nullptr && features::are_equal(*at, hole) && !is_given(circle_of(hole));
   });
   if (other != features.holes.end()) automatic.circle->centre = place_in(*other, *at, circle.centre);
   automatic.text.value = times(static_cast<std::size_t>(all - count)) + text.substr(times(std::size_t(all)).size());
