@@ -112,7 +112,8 @@ std::vector<RoundEnd> find_round_ends(const DimensionSubject& subject, const Fla
       for (const int side : {0, 1}) {
         const features::Extent& extent = subject.extents[static_cast<std::size_t>(along)];
         const auto& own = flat[static_cast<std::size_t>(along)];
-        const RoundEnd end{boss.from, boss.axis, boss.radius, (side == 0 ? -1.0 : 1.0) * Mat3(1)[along], 90, -1, false};
+        // Of what is round all around, the quarter that looks that way.
+        const RoundEnd end{boss.from, boss.axis, boss.radius, (side == 0 ? -1.0 : 1.0) * Mat3(1)[along], 45, -1, false};
         // A shaft with a flat has the distance from it to the side opposite.
         const bool is_flattened = (own[0] || own[1]) && is_shaft(boss, subject);
         if (!boss.inwards && !own[static_cast<std::size_t>(side)] && !is_flattened &&
