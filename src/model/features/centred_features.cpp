@@ -7,6 +7,8 @@
 #include <iterator>
 #include <map>
 #include <numbers>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "base/angle.hpp"
@@ -27,17 +29,18 @@ bool is_half_cylinder(const RoundFace& round) {
          round.has_its_axis();
 }
 
-// For each plane the half cylinders that are tangent to it.
-std::map<int, std::vector<int>> half_cylinders_at_planes(const RoundPart& of) {
+// For each plane the round faces that touch it at borders that are tangent, or at those that are not.
+std::map<int, std::vector<int>> round_faces_at_planes(const RoundPart& of, bool tangent) {
   std::map<int, std::vector<int>> at_planes;
   const auto add = [&](int plane, int face) {
     const int i = of.place_of_face[face];
-    if (of.part.faces[plane].surface.kind != SurfaceKind::plane || i < 0 || !is_half_cylinder(of.faces[i])) return;
+    if (of.part.faces[plane].surface.kind != SurfaceKind::plane || i < 0) return;
     std::vector<int>& list = at_planes[plane];
     if (std::find(list.begin(), list.end(), i) == list.end()) list.push_back(i);
   };
   for (const surfaces::PartBorder& border : of.borders()) {
-    if (border.kind != surfaces::BorderKind::tangent || border.faces[0] < 0) continue;
+    if ((border.kind == surfaces::BorderKind::tangent) != tangent || border.faces[0] < 0 || border.faces[1] < 0)
+      continue;
     add(border.faces[0], border.faces[1]);
     add(border.faces[1], border.faces[0]);
   }
@@ -113,8 +116,9 @@ using RoundEnds = std::vector<std::array<int, 2>>;
 // The half cylinders that are ends of slots.
 RoundEnds ends_of_slots(const RoundPart& of) {
   std::map<std::array<int, 2>, int> planes_between;
-  for (const auto& at_plane : half_cylinders_at_planes(of)) {
-    const std::vector<int>& faces = at_plane.second;
+  for (auto& at_plane : round_faces_at_planes(of, true)) {
+    std::vector<int>& faces = at_plane.second;
+    std::erase_if(faces, [&](int i) { return !is_half_cylinder(of.faces[i]); });
     for (std::size_t i = 0; i < faces.size(); ++i)
       for (std::size_t j = i + 1; j < faces.size(); ++j) {
         const auto [low, high] = std::minmax(faces[i], faces[j]);
@@ -138,6 +142,49 @@ CentredSlot slot_of(const RoundPart& of, const std::array<int, 2>& ends) {
   for (CentredRound& end : slot.ends)
     end.enclosed = of.faces[one].face.inwards && !of.faces[one].cut && !of.faces[other].cut;
   return slot;
+}
+
+// The distance between planes that are mirror images in one with this normal through a point: 0 if they taper, nothing
+// if they are no such images.
+std::optional<double> width_between(const surfaces::PartSurface& one, const surfaces::PartSurface& other,
+                                    const Vec3& at, const Vec3& normal, double slack) {
+  const auto mirrored = [&](const Vec3& v) { return v - 2 * glm::dot(v, normal) * normal; };
+  const Vec3 off = at + mirrored(one.origin - at) - other.origin;
+  if (glm::length(glm::cross(mirrored(one.axis), other.axis)) > told_apart_sine ||
+      std::abs(glm::dot(off, other.axis)) > slack)
+    return std::nullopt;
+  const bool taper = glm::length(glm::cross(one.axis, normal)) > told_apart_sine;
+  return taper ? 0 : 2 * std::abs(glm::dot(one.origin - at, normal));
+}
+
+// Between features of which the round faces are given.
+std::vector<CentredArm> arms_of(const RoundPart& of, const std::vector<CentredRound>& round,
+                                const std::vector<std::vector<int>>& faces) {
+  std::vector<int> feature(of.faces.size(), -1);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+    for (const int face : faces[i]) feature[face] = static_cast<int>(i);
+  std::map<std::array<int, 2>, std::vector<int>> planes_between;
+  for (const auto& [plane, list] : round_faces_at_planes(of, false)) {
+    std::set<int> ends;
+    for (const int face : list)
+      if (feature[face] >= 0 &&
+          std::abs(glm::dot(round[feature[face]].axis, of.part.faces[plane].surface.axis)) <= told_apart_sine)
+        ends.insert(feature[face]);
+    for (auto i = ends.begin(); i != ends.end(); ++i)
+      for (auto j = std::next(i); j != ends.end(); ++j) planes_between[{*i, *j}].push_back(plane);
+  }
+  std::vector<CentredArm> arms;
+  for (const auto& [ends, planes] : planes_between) {
+    const CentredRound &one = round[ends[0]], &other = round[ends[1]];
+    const Vec3 at = one.rings.front().centre, normal = glm::cross(one.axis, other.rings.front().centre - at);
+    if (glm::length(glm::cross(one.axis, other.axis)) > told_apart_sine || !(glm::length(normal) > 0)) continue;
+    for (std::size_t i = 0; i < planes.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        if (const auto width = width_between(of.part.faces[planes[i]].surface, of.part.faces[planes[j]].surface, at,
+                                             glm::normalize(normal), slack_of(of.part.tolerance, glm::length(normal))))
+          arms.push_back({ends, *width});
+  }
+  return arms;
 }
 
 constexpr int at_free_form = 1, at_round_face = 2;
@@ -207,6 +254,7 @@ struct ModelFeatures {
   std::vector<CentredRound> round{};
   std::vector<std::vector<double>> bores{};  ///< radii of the first round features, as in HoleSize
   std::vector<CentredSlot> slots{};
+  std::vector<CentredArm> arms{};  ///< between the round features of this model
 };
 
 ModelFeatures features_of(const RoundPart& of) {
@@ -216,12 +264,15 @@ ModelFeatures features_of(const RoundPart& of) {
     for (const int end : ends) used[end] = 1;
     found.slots.push_back(slot_of(of, ends));
   }
+  std::vector<std::vector<int>> groups;
   for (const std::vector<int>& group : coaxial_groups(of, used)) {
-    const std::vector<int> faces = faces_with_axis(of, group);
+    std::vector<int> faces = faces_with_axis(of, group);
     if (faces.empty()) continue;
     found.bores.push_back(bores_of(of, faces));
     found.round.push_back(feature_of(of, faces));
+    groups.push_back(std::move(faces));
   }
+  found.arms = arms_of(of, found.round, groups);
   for (CentredRound& rim : rims_of(of)) found.round.push_back(std::move(rim));
   for (const HexagonFeature& hexagon : find_hexagons(of.model, find_plane_faces(of.world, of.model, of.part)))
     found.round = with_hexagon(of, hexagon, std::move(found.round));
@@ -254,6 +305,7 @@ CentredFeatures find_centred_features(const world::World& world, double crease_a
       sizes.push_back({first + static_cast<int>(i), std::move(own.bores[i])});
     std::move(own.round.begin(), own.round.end(), std::back_inserter(found.round));
     std::move(own.slots.begin(), own.slots.end(), std::back_inserter(found.slots));
+    for (CentredArm& arm : own.arms) found.arms.push_back({{first + arm.ends[0], first + arm.ends[1]}, arm.width});
     progress.advance(1);
   }
   found.pitch_circles = find_pitch_circles(found.round, sizes, progress);

@@ -33,6 +33,13 @@ struct CentredSlot {
   std::array<CentredRound, 2> ends;
 };
 
+/// Plane sides from one round feature to another one with a parallel axis, mirror images in the plane through both
+/// axes: an arm from boss to boss, or what is cut between two bores.
+struct CentredArm {
+  std::array<int, 2> ends;  ///< indices of round features
+  double width;             ///< of parallel sides; 0 if they taper
+};
+
 /// Equal holes around a shaft or bore.
 struct PitchCircle {
   Vec3 centre, axis;
@@ -43,6 +50,7 @@ struct PitchCircle {
 struct CentredFeatures {
   std::vector<CentredRound> round;
   std::vector<CentredSlot> slots;
+  std::vector<CentredArm> arms;
   std::vector<PitchCircle> pitch_circles;
 };
 

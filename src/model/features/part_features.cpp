@@ -190,6 +190,15 @@ std::vector<SlotFeature> slots_of(const CentredFeatures& centred) {
   return slots;
 }
 
+std::vector<ArmFeature> arms_of(const CentredFeatures& centred) {
+  std::vector<ArmFeature> arms;
+  for (const CentredArm& arm : centred.arms) {
+    const CentredRound &one = centred.round[arm.ends[0]], &other = centred.round[arm.ends[1]];
+    arms.push_back({one.model, {one.rings.front().centre, other.rings.front().centre}, arm.width});
+  }
+  return arms;
+}
+
 bool are_one(const PitchCircleFeature& a, const PitchCircleFeature& b) {
   return a.model == b.model && are_same(a.radius, b.radius) && are_parallel(a.axis, b.axis) &&
          distance_from_line(b.centre, a.centre, a.axis) <= same_size * a.radius;
@@ -299,6 +308,12 @@ std::vector<LevelFeature> with_other_sides(std::vector<LevelFeature> levels, con
 
 }  // namespace
 
+bool ArmFeature::has_sides(int axis, double a, double b) const {
+  const double line = centres[0][axis], slack = same_size * glm::distance(centres[0], centres[1]);
+  return std::abs(centres[1][axis] - line) <= slack && std::abs(a + b - 2 * line) <= slack &&
+         std::abs(std::abs(a - b) - width) <= slack;
+}
+
 Vec3 HoleFeature::begin_of_bore() const {
   double depth = counterbore ? counterbore->size : 0;
   if (countersink) {
@@ -373,6 +388,7 @@ PartFeatures find_part_features(const world::World& world, const Progress& progr
   std::vector<AxialFace> axial;
   const CentredFeatures centred = find_centred_features(world, 30, progress);
   found.slots = slots_of(centred);
+  found.arms = arms_of(centred);
   for (int model = 0; model < static_cast<int>(world.models.size()); ++model) {
     progress.expect_time();
     if (world.models[model].part == nullptr) continue;

@@ -77,6 +77,16 @@ struct SlotFeature {
   double reach = 0;             ///< of its ends along the axis, from where it begins
 };
 
+/// Plane sides on both sides of the line through two parallel axes, as of an arm from boss to boss.
+struct ArmFeature {
+  int model;
+  std::array<Vec3, 2> centres;  ///< on these axes
+  double width;                 ///< of parallel sides; 0 if they taper
+
+  /// Whether its sides are at two places along an axis of the world.
+  [[nodiscard]] bool has_sides(int axis, double a, double b) const;
+};
+
 /// Part of a cylinder of less than a turn: a fillet or a rounded corner.
 struct ArcFeature {
   int model;
@@ -183,6 +193,7 @@ struct PartFeatures {
   std::vector<HoleFeature> holes;
   std::vector<CylinderFeature> cylinders;
   std::vector<SlotFeature> slots;
+  std::vector<ArmFeature> arms;
   std::vector<ArcFeature> arcs;
   std::vector<RoundFeature> rounds;
   std::vector<BallFeature> balls;

@@ -352,6 +352,15 @@ void add_slot(Marks& marks, const drawing::ViewDrawing& drawing, const SeenFeatu
   }
 }
 
+// Between the axes of an arm that are seen as points.
+void add_arm(Marks& marks, const drawing::ViewDrawing& drawing, const features::CentredRound& one,
+             const features::CentredRound& other) {
+  const SeenCircle a = see(drawing, one.axis, one.rings.front()), b = see(drawing, other.axis, other.rings.front());
+  const Vec2 way = b.centre - a.centre;
+  if (a.is_round() && glm::length(way) >= shortest_piece)
+    marks.pieces.push_back(piece_about(0.5 * (a.centre + b.centre), glm::normalize(way), glm::length(way) / 2));
+}
+
 bool is_small(std::span<const SeenCircle> rings) { return 2 * largest_of(rings).radius() < min_diameter; }
 
 Marks marks_of(const CentredView& view) {
@@ -386,6 +395,9 @@ Marks marks_of(const CentredView& view) {
   for (const features::CentredSlot& slot : features.slots)
     if (!is_small(see(view.drawing, slot.ends[0])) && (seen.shows(slot.ends[0]) || seen.shows(slot.ends[1])))
       add_slot(marks, view.drawing, seen, slot);
+  for (const auto& [ends, width] : features.arms)
+    if (seen.shows(features.round[ends[0]]) && seen.shows(features.round[ends[1]]))
+      add_arm(marks, view.drawing, features.round[ends[0]], features.round[ends[1]]);
   for (const int c : circles) {
     const features::PitchCircle& pitch = features.pitch_circles[c];
     marks.rounds.push_back(see(view.drawing, pitch.axis, {pitch.centre, pitch.radius}));

@@ -24,15 +24,14 @@ struct CentredView {
 ///
 /// A feature seen as a circle has a cross, with the lines crossing in the middle of a dash; of concentric circles, the
 /// largest counts. Holes on a pitch circle have that circle, and each hole a mark along its radius. A slot has one line
-/// through both of its ends, and another across each end. Seen from the side, a feature has its axis, and a slot an
-/// axis in its middle; in other directions, a feature has its axis if two of its circles lie apart. Rims on one line
-/// have one common axis. All lines extend 3 mm beyond the outline; overlapping ones are merged. Where a line of
-/// `drawn`, the view's other layers, coincides with them, it takes precedence. Features with a diameter of less than 3
-/// mm have no lines, nor have features that a model without hidden lines does not show. There, bores and slots that are
-/// seen obliquely have their axes only through ends of which a quarter of the rim is seen, 3 mm beyond what is seen;
-/// shafts and other features that are seen from outside, only where lines of theirs are seen on both sides of the axis,
-/// or on one if it is parallel to the paper.
-/// Throws OutOfTime.
+/// through both of its ends, and another across each end, an arm one from axis to axis. Seen from the side, a feature
+/// has its axis, and a slot an axis in its middle; in other directions, a feature has its axis if two of its circles
+/// lie apart. Rims on one line have one common axis. All lines extend 3 mm beyond the outline; overlapping ones are
+/// merged. Where a line of `drawn`, the view's other layers, coincides with them, it takes precedence. Features with a
+/// diameter of less than 3 mm have no lines, nor have features that a model without hidden lines does not show. There,
+/// bores and slots that are seen obliquely have their axes only through ends of which a quarter of the rim is seen, 3
+/// mm beyond what is seen; shafts and other features that are seen from outside, only where lines of theirs are seen on
+/// both sides of the axis, or on one if it is parallel to the paper. Throws OutOfTime.
 Layer centre_lines(const CentredView& view, const LineWidths& widths, std::span<const Layer> drawn,
                    const Progress& progress = {});
 

@@ -207,14 +207,23 @@ std::optional<Coordinate> Coordinates::first_side(const Coordinate& coordinate) 
   return beside;
 }
 
+// Whether two places along one axis have the axis of a round part, or the line of centres of an arm, in the middle.
+bool Coordinates::are_about_line(const Coordinate& one, const Coordinate& other) const {
+  const features::Extent& extent = subject_.extents[one.axis];
+  return (extent.form != features::ExtentForm::length &&
+          std::abs(one.at + other.at - extent.from - extent.to) <= slack_) ||
+         std::ranges::any_of(subject_.features.arms, [&](const features::ArmFeature& arm) {
+           return arm.has_sides(one.axis, one.at, other.at);
+         });
+}
+
 void Coordinates::add_row(std::vector<Coordinate> row, const std::string& where, const Notation& notation,
                           std::vector<scene::DimensionDescription>& dimensions) const {
-  const features::Extent& extent = subject_.extents[row.front().axis];
-  // Both sides of a keyway, for example: their distance.
-  if (extent.form != features::ExtentForm::length && row.front().group < 0)
+  // Both sides of a keyway or arm, for example: their distance.
+  if (row.front().group < 0)
     for (std::size_t i = 0; i < row.size(); ++i)
       for (std::size_t j = i + 1; j < row.size(); ++j)
-        if (std::abs(row[i].at + row[j].at - extent.from - extent.to) <= slack_) {
+        if (are_about_line(row[i], row[j])) {
           dimensions.push_back(distance_along(row[i], row[j], where));
           row.erase(row.begin() + static_cast<std::ptrdiff_t>(j));
           row.erase(row.begin() + static_cast<std::ptrdiff_t>(i--));

@@ -68,6 +68,7 @@ class Coordinates {
 
  private:
   [[nodiscard]] Coordinate base_of(const Coordinate& coordinate) const;
+  [[nodiscard]] bool are_about_line(const Coordinate& one, const Coordinate& other) const;
   [[nodiscard]] std::optional<Coordinate> first_side(const Coordinate& coordinate) const;
   [[nodiscard]] std::vector<scene::DimensionDescription> arranged(std::span<const Coordinate> coordinates,
                                                                   DimensionArrangement arrangement,

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -244,6 +246,65 @@ void add_symmetry(DrawnPart& drawn, const ParallelPlanes& planes, const features
   check(drawn.part.faces.size() >= drawn.faces, "the faces of the model come before what is only drawn");
 }
 
+// For each face that is a cylinder, the first one about its axis; -1 for others.
+std::vector<int> first_about_axis(const DrawnPart& drawn) {
+  std::vector<int> first(drawn.faces, -1), known;
+  for (int face = 0; face < static_cast<int>(drawn.faces); ++face) {
+    const PartSurface& own = drawn.part.faces[static_cast<std::size_t>(face)].surface;
+    if (own.kind != SurfaceKind::cylinder) continue;
+    const auto about = std::ranges::find_if(known, [&](int one) {
+      const PartSurface& axis = drawn.part.faces[static_cast<std::size_t>(one)].surface;
+      return features::are_parallel(axis.axis, own.axis) &&
+             features::distance_from_line(own.origin, axis.origin, axis.axis) <= slack_of(drawn.part);
+    });
+    first[static_cast<std::size_t>(face)] = about == known.end() ? known.emplace_back(face) : *about;
+  }
+  return first;
+}
+
+// Whether planes are mirror images in another one.
+bool are_images(const PartSurface& one, const PartSurface& other, const PartSurface& mirror, double slack) {
+  const auto mirrored = [&](const Vec3& v) { return v - 2 * glm::dot(v, mirror.axis) * mirror.axis; };
+  const Vec3 off = mirror.origin + mirrored(one.origin - mirror.origin) - other.origin;
+  return features::are_parallel(mirrored(one.axis), other.axis) && std::abs(glm::dot(off, other.axis)) <= slack;
+}
+
+// Sides of an arm from boss to boss: planes that meet round faces about two parallel axes in corners, with the line of
+// centres in the middle.
+void add_arms(DrawnPart& drawn) {
+  const std::vector<int> axis_of = first_about_axis(drawn);
+  const auto surface = [&](int face) -> const PartSurface& {
+    return drawn.part.faces[static_cast<std::size_t>(face)].surface;
+  };
+  std::map<int, std::set<int>> axes;  // by plane
+  for (const definition::Contact& contact : drawn.part.contacts)
+    for (const auto& [plane, face] :
+         {std::pair(contact.faces[0], contact.faces[1]), std::pair(contact.faces[1], contact.faces[0])})
+      if (const int axis = axis_of[static_cast<std::size_t>(face)];
+          axis >= 0 && !contact.is_tangent && surface(plane).kind == SurfaceKind::plane &&
+          std::abs(glm::dot(surface(plane).axis, surface(axis).axis)) <= features::parallel)
+        axes[plane].insert(axis);
+  std::map<std::array<int, 2>, std::vector<int>> sides;  // by axes
+  for (const auto& [plane, of_plane] : axes)
+    for (auto i = of_plane.begin(); i != of_plane.end(); ++i)
+      for (auto j = std::next(i); j != of_plane.end(); ++j)
+        if (features::are_parallel(surface(*i).axis, surface(*j).axis)) sides[{*i, *j}].push_back(plane);
+  for (const auto& [ends, planes] : sides) {
+    const PartSurface one = surface(ends[0]), other = surface(ends[1]);
+    const PartSurface middle{.kind = SurfaceKind::plane,
+                             .origin = one.origin,
+                             .axis = glm::normalize(glm::cross(one.axis, other.origin - one.origin))};
+    for (std::size_t i = 0; i < planes.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        if (!are_images(surface(planes[i]), surface(planes[j]), middle, slack_of(drawn.part))) continue;
+        const int face = static_cast<int>(drawn.part.faces.size());
+        drawn.marks.symmetries.push_back({face, {{planes[i], planes[j]}}, {ends[0], ends[1]}});
+        drawn.part.faces.push_back({middle, one.origin});
+      }
+  }
+  check(drawn.part.faces.size() >= drawn.faces, "the faces of the model come before what is only drawn");
+}
+
 // What a dimension measures from or to is no face, corner or axis, but the middle between faces; along the own axes of
 // a turned part, where rectangles have their places by their middles, also that in line with an axis.
 void add_middles(DrawnPart& drawn, const ParallelPlanes& planes, const Vec3& point, const Vec3& along) {
@@ -401,6 +462,7 @@ DrawnPart with_drawn_lines(Part part, std::span<const DimensionsInView> views,
                      [&](const features::Extent& one) { return one.is_same_as(extents[i]); }))
       add_symmetry(drawn, planes, extents[i]);
   add_hexagons(drawn, planes);
+  add_arms(drawn);
   add_own_axes(drawn, extents);
   for (const DimensionsInView& view : views)
     for (const AnchoredDimension& dimension : view.dimensions) {

@@ -44,12 +44,14 @@ Joins sides_of(int axis, double middle, double radius) {
   return {{axis, middle, middle - radius}, {axis, middle, middle + radius}};
 }
 
-// What is symmetrical to the axis of a round part needs no position.
+// What is symmetrical to the axis of a round part, or to the line of centres of an arm, needs no position.
 Joins joins_between(const Reading& of, int axis, double a, double b) {
   Joins joins;
   const double middle = middle_of(of.extent(axis));
   if (of.extent(axis).form != features::ExtentForm::length && agree(b - middle, middle - a))
     joins.push_back({axis, middle, a});
+  for (const features::ArmFeature& arm : of.subject.features.arms)
+    if (arm.has_sides(axis, a, b)) joins.push_back({axis, arm.centres[0][axis], a});
   if (of.is_of_many() && of.dimension.text.find('=') != std::string::npos)
     joins.push_back({axis, a, b, repeats_of(of.dimension.text)});
   else

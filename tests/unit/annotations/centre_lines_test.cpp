@@ -73,7 +73,7 @@ sheet::Layer lines(const drawing::ViewDrawing& drawing, const features::CentredF
 
 sheet::Layer lines(const drawing::ViewDrawing& drawing, const std::vector<Round>& round,
                    const std::vector<sheet::Layer>& drawn = {}) {
-  return lines(drawing, features::CentredFeatures{round, {}, {}}, drawn);
+  return lines(drawing, features::CentredFeatures{round, {}, {}, {}}, drawn);
 }
 
 TEST(CentreLines, OfACircleAreACross) {
@@ -185,7 +185,10 @@ TEST(CentreLines, WithoutHiddenLinesOnlyWhatIsSeenHasThem) {
   drawing.segments.push_back({{0, 0}, {1, 1}, true, EdgeKind::crease, 0, {7, 4}, -1, {0, 1}});
   drawing.segments.push_back({{0, 0}, {1, 1}, false, EdgeKind::crease, 0, {20, 21}, -1, {0, 1}});
   const features::CentredFeatures features{
-      {circle({0, 0, 0}, {0, 0, 1}, 10, {4, 5, 6, 7}), circle({50, 0, 0}, {0, 0, 1}, 10, {20, 21, 22, 23})}, {}, {}};
+      {circle({0, 0, 0}, {0, 0, 1}, 10, {4, 5, 6, 7}), circle({50, 0, 0}, {0, 0, 1}, 10, {20, 21, 22, 23})},
+      {},
+      {},
+      {}};
   EXPECT_EQ(lines(drawing, features, {}, HiddenLines::none).strokes.size(), 2U);
   EXPECT_EQ(lines(drawing, features, {}, HiddenLines::dashed).strokes.size(), 4U);
 }
@@ -195,13 +198,13 @@ TEST(CentreLines, WithoutHiddenLinesBoresAreNotSeenFromTheSide) {
   drawing::ViewDrawing drawing = front;
   drawing.segments.push_back({{0, 0}, {1, 0}, true, EdgeKind::crease, 0, {4, 5}, -1, {0, 1}});
   Round bore{0, {0, 0, 1}, {{{0, 0, 0}, 10}, {{0, 0, 8}, 10}}, {4, 5, 6, 7}, true};
-  EXPECT_TRUE(lines(drawing, features::CentredFeatures{{bore}, {}, {}}, {}, HiddenLines::none).strokes.empty());
-  EXPECT_EQ(lines(drawing, features::CentredFeatures{{bore}, {}, {}}).strokes.size(), 1U);
+  EXPECT_TRUE(lines(drawing, features::CentredFeatures{{bore}, {}, {}, {}}, {}, HiddenLines::none).strokes.empty());
+  EXPECT_EQ(lines(drawing, features::CentredFeatures{{bore}, {}, {}, {}}).strokes.size(), 1U);
   drawing.world_to_page = top.world_to_page;
-  EXPECT_EQ(lines(drawing, features::CentredFeatures{{bore}, {}, {}}, {}, HiddenLines::none).strokes.size(), 2U);
+  EXPECT_EQ(lines(drawing, features::CentredFeatures{{bore}, {}, {}, {}}, {}, HiddenLines::none).strokes.size(), 2U);
   bore.enclosed = false;
   drawing.world_to_page = front.world_to_page;
-  EXPECT_EQ(lines(drawing, features::CentredFeatures{{bore}, {}, {}}, {}, HiddenLines::none).strokes.size(), 1U);
+  EXPECT_EQ(lines(drawing, features::CentredFeatures{{bore}, {}, {}, {}}, {}, HiddenLines::none).strokes.size(), 1U);
 }
 
 // The part of a circle about the z axis that is seen, from `first` to `last` of 72 chords, and the rest hidden.
@@ -229,7 +232,7 @@ TEST(CentreLines, WithoutHiddenLinesAxesOfBoresPassThroughVisibleRims) {
     drawing::ViewDrawing slanted = view({1, 0, 0}, {0, root, root});
     add_rim(slanted, bore.rings[0], 0, 0, below);
     add_rim(slanted, bore.rings[1], 72, 0, above);
-    return lines(slanted, features::CentredFeatures{{bore}, {}, {}}, {}, hidden);
+    return lines(slanted, features::CentredFeatures{{bore}, {}, {}, {}}, {}, hidden);
   };
   const Vec2 top_centre(0, 40 * root), axis(0, reach);
   expect_spans(lines_of(0, 72, HiddenLines::none), {{top_centre - axis, top_centre + axis}});
@@ -252,7 +255,7 @@ TEST(CentreLines, WithoutHiddenLinesAxesOfShaftsLieWhereBothSidesAreSeen) {
     for (const auto& [x, ends, vertex] : {std::tuple(10.0, right, 0), std::tuple(-10.0, left, 36)})
       slanted.segments.push_back(
           {{x, ends[0]}, {x, ends[1]}, true, EdgeKind::contour, 0, {vertex, vertex + 72}, -1, {0, 1}});
-    return lines(slanted, features::CentredFeatures{{shaft}, {}, {}}, {}, hidden);
+    return lines(slanted, features::CentredFeatures{{shaft}, {}, {}, {}}, {}, hidden);
   };
   const double upper = 100 * root;
   expect_spans(lines_of(true, {50, upper}, {40, upper}, HiddenLines::none), {{{0, 47}, {0, upper + reach}}});
@@ -272,7 +275,7 @@ TEST(CentreLines, WithoutHiddenLinesAShaftFromTheSideIsSeenByOneContour) {
   Round shaft{0, {0, 0, 1}, {{{0, 0, 0}, 10}, {{0, 0, 100}, 10}}, {1, 2}};
   drawing::ViewDrawing drawing = front;
   drawing.segments.push_back({{10, 30}, {10, 100}, true, EdgeKind::contour, 0, {1, 2}, -1, {0, 1}});
-  expect_spans(lines(drawing, features::CentredFeatures{{shaft}, {}, {}}, {}, HiddenLines::none),
+  expect_spans(lines(drawing, features::CentredFeatures{{shaft}, {}, {}, {}}, {}, HiddenLines::none),
                {{{0, 27}, {0, 103}}});
 }
 
@@ -284,13 +287,13 @@ TEST(CentreLines, SmallOnesAreLeftOut) {
 
 TEST(CentreLines, OfASlotAreOneAlongItAndOneAtEachEnd) {
   const auto end = [](double x, double y) { return Round{0, {0, 0, 1}, {{{x, y, 0}, 5}, {{x, y, 12}, 5}}, {}}; };
-  const features::CentredFeatures slot{{}, {{{end(10, 0), end(40, 0)}}}, {}};
+  const features::CentredFeatures slot{{}, {{{end(10, 0), end(40, 0)}}}, {}, {}};
   expect_spans(lines(top, slot), {{{2, 0}, {48, 0}}, {{10, -8}, {10, 8}}, {{40, -8}, {40, 8}}});
   // From the side it has one axis, in its middle; across and along it.
   expect_spans(lines(front, slot), {{{25, -3}, {25, 15}}});
   expect_spans(lines(view({0, 1, 0}, {0, 0, 1}), slot), {{{0, -3}, {0, 15}}});
   // A slanted one: 30, 40, 50.
-  const features::CentredFeatures slanted{{}, {{{end(0, 0), end(30, 40)}}}, {}};
+  const features::CentredFeatures slanted{{}, {{{end(0, 0), end(30, 40)}}}, {}, {}};
   expect_spans(lines(top, slanted),
                {{{-6.4, 4.8}, {6.4, -4.8}}, {{-4.8, -6.4}, {34.8, 46.4}}, {{23.6, 44.8}, {36.4, 35.2}}});
 }
@@ -301,7 +304,7 @@ TEST(CentreLines, OfSmallHolesAreDrawnOnAPitchCircle) {
   for (const Vec2& at : {Vec2(24, 32), Vec2(-32, 24), Vec2(-24, -32)})
     round.push_back(circle({at, 0}, {0, 0, -1}, 0.6));
   EXPECT_TRUE(lines(top, round).strokes.empty());
-  const features::CentredFeatures on_circle{round, {}, {{{0, 0, -7}, {0, 0, 1}, 40, {0, 1, 2}}}};
+  const features::CentredFeatures on_circle{round, {}, {}, {{{0, 0, -7}, {0, 0, 1}, 40, {0, 1, 2}}}};
   EXPECT_EQ(lines(top, on_circle).strokes.size(), 4U) << "a mark for each, and the circle";
   EXPECT_TRUE(lines(front, on_circle).strokes.empty());
 }
@@ -309,7 +312,7 @@ TEST(CentreLines, OfSmallHolesAreDrawnOnAPitchCircle) {
 TEST(CentreLines, OfHolesOnAPitchCircleAreThatAndMarksAlongRadii) {
   std::vector<Round> round{circle({0, 0, 0}, {0, 0, 1}, 10)};
   for (const Vec2& at : {Vec2(24, 32), Vec2(-32, 24), Vec2(-24, -32)}) round.push_back(circle({at, 0}, {0, 0, -1}, 4));
-  const features::CentredFeatures features{round, {}, {{{0, 0, -7}, {0, 0, 1}, 40, {1, 2, 3}}}};
+  const features::CentredFeatures features{round, {}, {}, {{{0, 0, -7}, {0, 0, 1}, 40, {1, 2, 3}}}};
   sheet::Layer layer = lines(top, features);
   ASSERT_EQ(layer.strokes.size(), 6U);
   const sheet::Stroke circle = layer.strokes.back();
@@ -328,6 +331,19 @@ TEST(CentreLines, OfHolesOnAPitchCircleAreThatAndMarksAlongRadii) {
                        {{19.8, 26.4}, {28.2, 37.6}}});
   // From the side they have their axes.
   EXPECT_EQ(lines(front, features).strokes.size(), 4U);
+}
+
+// From axis to axis, not beyond the crosses of the bosses; nothing where the axes are seen as lines.
+TEST(CentreLines, AnArmHasOneFromAxisToAxis) {
+  const std::vector<features::CentredRound> bosses{circle({0, 0, 0}, {0, 0, 1}, 10, {0}),
+                                                   circle({30, 40, 0}, {0, 0, 1}, 10, {1})};
+  const features::CentredFeatures with{bosses, {}, {{{0, 1}, 6}}, {}}, without{bosses, {}, {}, {}};
+  const sheet::Layer layer = lines(top, with);
+  ASSERT_EQ(layer.strokes.size(), lines(top, without).strokes.size() + 1);
+  EXPECT_TRUE(std::ranges::any_of(layer.strokes, [](const sheet::Stroke& stroke) {
+    return std::abs(glm::distance(stroke.points.front(), stroke.points.back()) - 50) < 1e-9;
+  }));
+  EXPECT_EQ(lines(front, with).strokes.size(), lines(front, without).strokes.size());
 }
 
 }  // namespace

@@ -270,5 +270,28 @@ TEST(CentredFeatures, WhereNoFacesAreRecognisedRimsCount) {
   EXPECT_TRUE(features_of(plate_with_hole(20, 5, 8, 8), "scale:1,2,1").round.empty());
 }
 
+// Two bosses with an arm between them, one of whose sides is moved.
+TEST(CentredFeatures, AnArmHasTheLineOfCentresInItsMiddle) {
+  for (const double moved : {0.0, 1.0}) {
+    Loop outline;
+    const auto add_arc = [&](const Vec2& centre, double radius, double from, double to) {
+      for (int i = 0; i <= 72; ++i)
+        outline.push_back(centre +
+                          radius * Vec2(cosine(from + (to - from) * i / 72), sine(from + (to - from) * i / 72)));
+    };
+    const auto angle = [](double half, double radius) { return std::asin(half / radius) * 180 / std::numbers::pi; };
+    add_arc({0, 0}, 15, angle(5, 15), 360 - angle(5 - moved, 15));
+    add_arc({60, 0}, 10, angle(5 - moved, 10) - 180, 180 - angle(5, 10));
+    const auto mesh = std::make_shared<const mesh::Mesh>(mesh::read_mesh(block(outline, 8), "arm.obj"));
+    const features::CentredFeatures found =
+        features::find_centred_features(laboratory::recognised(world::make_world({{mesh}})));
+    ASSERT_EQ(found.round.size(), 2U);
+    ASSERT_EQ(found.arms.size(), moved > 0 ? 0U : 1U);
+    if (moved == 0) {
+      EXPECT_NEAR(found.arms[0].width, 10, 1e-6);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace epura::test::centred_features_test

@@ -16,8 +16,7 @@ namespace epura::test::free_face_dimensions_test {
 namespace {
 
 /// An arc about a point, from one direction to another, in degrees.
-Loop arc(const Vec2& centre, double radius, double from, double to) {
-  constexpr int steps = 24;
+Loop arc(const Vec2& centre, double radius, double from, double to, int steps = 24) {
   Loop points;
   for (int i = 0; i <= steps; ++i) {
     const double angle = (from + (to - from) * i / steps) * std::numbers::pi / 180;
@@ -42,6 +41,19 @@ std::string crowned_block(const Vec2& centre, double radius) {
   Loop outline{{0, 0}, {60, 0}};
   for (const Vec2& point : arc(centre, radius, angle(60), angle(0))) outline.push_back(point);
   return block(outline, 40);
+}
+
+// A boss at the origin and a smaller one, 8 thick, with an arm between them that grows from half of the width to half
+// of the other one, turned by an angle.
+std::string lever(double turn, double half, double other) {
+  constexpr double large = 15, small = 10, length = 60;
+  const double at_large = std::asin(half / large) * 180 / std::numbers::pi,
+               at_small = std::asin(other / small) * 180 / std::numbers::pi;
+  Loop outline = arc({0, 0}, large, at_large, 360 - at_large, 72);
+  for (const Vec2& point : arc({length, 0}, small, at_small - 180, 180 - at_small, 72)) outline.push_back(point);
+  for (Vec2& point : outline)
+    point = {cosine(turn) * point.x - sine(turn) * point.y, sine(turn) * point.x + cosine(turn) * point.y};
+  return block(outline, 8);
 }
 
 // How many of its dimensions are missed if they are left out.
@@ -107,6 +119,24 @@ std::string block_with_leaning_hole(double degrees) {
     model.face({Vec3(border[q], 20), Vec3(border[p], 20), Vec3(border[p], 0), Vec3(border[q], 0)});
   }
   return model.obj();
+}
+
+// Its width, and for a tapering one an angle, is all that an arm has beside what gives its bosses.
+TEST(FreeFaceDimensions, SidesOfAnArmAreAboutTheLineOfCentres) {
+  for (const double turn : {0.0, 30.0, 55.0})
+    for (const double other : {5.0, 7.0}) {
+      const std::string name = "a lever turned by " + std::to_string(turn) + ", " + std::to_string(other);
+      const DimensionedPart sheet(lever(turn, 5, other));
+      const sheet::FreeFaces free = sheet.free();
+      EXPECT_EQ(free.count.given, free.count.all) << name;
+      EXPECT_TRUE(free.contradictory.empty() && free.untrue.empty() && free.undecided.empty()) << name;
+      // Thickness, two bosses, their distance along one axis or two. Overall sizes stand in brackets.
+      const std::size_t expected = 4 + (turn > 0 ? 1U : 0U) + (other > 5 ? 2U : 1U);
+      EXPECT_EQ(needed(sheet), expected) << name;
+      EXPECT_EQ(std::ranges::count_if(sheet.texts, [](const std::string& text) { return !text.starts_with('('); }),
+                static_cast<std::ptrdiff_t>(expected))
+          << name;
+    }
 }
 
 }  // namespace
