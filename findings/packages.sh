@@ -234,3 +234,10 @@ CPP
   [ -x parts ] || occt_program parts.cpp TKRWMesh TKXCAF TKLCAF TKCAF TKCDF TKBRep TKTopAlgo TKMath TKernel
   ./parts "$1" | grep -a ' mm3'
 }
+
+# Runs a Java source with the archives of Debian packages below "$work/root", by the newest Java 17 that Debian has: java_program SOURCE
+java_program() {
+  local home=$work/root/usr/lib/jvm/java-17-openjdk-amd64 link
+  find "$home" -lname '/etc/*' | while read -r link; do ln -sfn "$work/root$(readlink "$link")" "$link"; done
+  "$home/bin/java" -Djava.awt.headless=true -XX:-UsePerfData -cp "$work/root/usr/share/java/*" "$1"
+}
