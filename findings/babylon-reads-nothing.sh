@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 # Babylon.js 9.28.0 reads nothing of an ASCII STL whose solids have no names, as GTS 0.7.6 (gts2stl) writes them, and no face of an OBJ whose faces refer
 # to the latest corners (-3 -2 -1), go on in the next line after a backslash, or have tabs, which also makes its corners no numbers. Loading succeeds, and
-# the part is not there. Lines of an OBJ become facets without area among the others. Names, blanks, exponents and concave faces are right.
+# the part is not there; its log names such faces as unhandled, of the rest nothing is said. Lines of an OBJ become facets without area.
+# Names, blanks, exponents and concave faces are right.
 # Believed: the part in each case (names are optional in STL; Wavefront's OBJ, "General statement" and "Referencing groups of vertices").
 . "$(dirname "$(realpath "$0")")/packages.sh"
 debian_packages libgts-bin=0.7.6+darcs121130-5+b1
