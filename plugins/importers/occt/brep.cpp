@@ -4,6 +4,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "large_numbers.hpp"
+#include "part21.hpp"
 #include "readers.hpp"
 #include "session.hpp"
 #include "tree.hpp"
@@ -31,6 +33,7 @@ TopoDS_Shape shape_in(const std::string& path, const Message_ProgressRange& prog
 
 Model read_brep(const std::string& path, const Beside& beside, epura::plugin::Sink& sink) {
   expect_kind(path, is_brep, "a BREP file of Open CASCADE");
+  expect_drawable_brep(text_of(path));
   const Handle(Stage) stage = new Stage(sink, 0, share_of_reading);
   const TopoDS_Shape shape = shape_in(path, stage->Start());
   stage->finish();

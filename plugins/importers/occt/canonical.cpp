@@ -14,6 +14,8 @@
 #include <optional>
 #include <vector>
 
+#include "large_numbers.hpp"
+
 namespace occt {
 
 namespace {
@@ -189,7 +191,8 @@ Handle(Geom_Surface) torus(const Samples& samples, const Circle& round, const Ci
 }  // namespace
 
 Handle(Geom_Surface) canonical(const Geom_Surface& surface, const Range& range) {
-  if (std::any_of(range.begin(), range.end(), [](double bound) { return !(std::abs(bound) < 1e50); })) return {};
+  if (std::any_of(range.begin(), range.end(), [](double bound) { return !(std::abs(bound) < largest_number); }))
+    return {};
   const Samples samples(surface, range);
   if (!(samples.precision() > 0)) return {};
   Handle(Geom_Surface) found = plane(samples);

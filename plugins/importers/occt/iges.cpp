@@ -14,6 +14,7 @@
 #include <XCAFDoc_ShapeTool.hxx>
 #include <cmath>
 
+#include "large_numbers.hpp"
 #include "part21.hpp"
 #include "readers.hpp"
 #include "session.hpp"
@@ -51,6 +52,8 @@ Model read_iges(const std::string& path, const Beside& beside, epura::plugin::Si
   expect_kind(path, is_iges, "an IGES file: column 73 of its first line is not S");
   // Open CASCADE crashes on some files without it.
   if (!has_end(end_of(path))) throw cut_off(path, "the line of section T");
+  const std::string text = text_of(path);
+  expect_drawable_iges(text);
   IGESControl_Controller::Init();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   IGESCAFControl_Reader reader;
@@ -81,7 +84,7 @@ Model read_iges(const std::string& path, const Beside& beside, epura::plugin::Si
   TreeBuilder tree(model, attributes, beside.construction);
   tree.add(everything, {}, {{}, EPURA_NONE, EPURA_NONE, gp_Trsf()});
   tree.finish();
-  const std::vector<std::string> unread = unread_in_iges(text_of(path));
+  const std::vector<std::string> unread = unread_in_iges(text);
   model.notes.insert(model.notes.end(), unread.begin(), unread.end());
   return model;
 }

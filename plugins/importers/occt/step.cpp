@@ -22,6 +22,7 @@
 #include <filesystem>
 
 #include "item_faces.hpp"
+#include "large_numbers.hpp"
 #include "part21.hpp"
 #include "readers.hpp"
 #include "requirements.hpp"
@@ -149,6 +150,8 @@ Model read_step(const std::string& file, const Beside& beside, epura::plugin::Si
   const std::string path = std::filesystem::absolute(file).string();
   expect_kind(path, is_step, "a STEP file: it does not begin with ISO-10303-21");
   if (end_of(path).find("END-ISO-10303-21") == std::string::npos) throw cut_off(path, "END-ISO-10303-21");
+  const std::string text = text_of(path);
+  expect_drawable_step(text);
   STEPCAFControl_Controller::Init();
   Interface_Static::SetCVal("xstep.cascade.unit", "MM");
   const Handle(Complaints) complaints = Complaints::install();
@@ -185,7 +188,6 @@ Model read_step(const std::string& file, const Beside& beside, epura::plugin::Si
     for (const TopoDS_Shape& shape : shapes_without_products(reader.ChangeReader()))
       tree.add(shape, {}, {{}, EPURA_NONE, EPURA_NONE, gp_Trsf()});
   tree.finish();
-  const std::string text = text_of(path);
   if (model.parts.empty()) throw_shapeless(text, faults);
   StepRequirements stated = requirements_in_step(text);
   find_faces(stated.all, reader.Reader());

@@ -532,28 +532,6 @@ TEST(StepImporter, ReadsIgesAndBrep) {
   }
 }
 
-TEST(StepImporter, DamagedFilesAreRefusedWithTheReason) {
-  const Folder folder;
-  const std::string whole = read_file(step_file(folder, block_with_bore()));
-  EXPECT_EQ(
-      refusal_of(folder.file("a.step", whole.substr(0, whole.size() / 2))),
-      "the file is cut off: it ends in line " +
-          std::to_string(
-              std::count(whole.begin(), whole.begin() + static_cast<std::ptrdiff_t>(whole.size() / 2), '\n') + 1) +
-          " without END-ISO-10303-21");
-  EXPECT_EQ(refusal_of(folder.file("b.step", "\xff\xd8\xff\xe0 JFIF")),
-            "is not a STEP file: it does not begin with ISO-10303-21");
-  EXPECT_EQ(refusal_of(folder.file("c.step", "")), "is empty");
-  EXPECT_EQ(refusal_of(folder.file("d.step", "ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n")),
-            "is not a valid STEP file");
-  const std::size_t circle = whole.find("= CIRCLE("), line = whole.rfind('\n', circle);
-  std::string missing = whole;
-  missing.erase(line, whole.find('\n', circle) - line);
-  EXPECT_TRUE(refusal_of(folder.file("g.step", missing)).starts_with("the file is damaged: 1 entity is wrong: #"));
-  EXPECT_TRUE(contains(refusal_of(folder.file("e.brep", "not a shape")), "BREP"));
-  EXPECT_FALSE(refusal_of(folder.file("f.igs", "not a drawing")).empty());
-}
-
 std::string with_statements(const std::string& path, const std::string& statements) {
   std::string text = read_file(path);
   text.insert(text.rfind("ENDSEC;"), statements);
