@@ -217,73 +217,49 @@ sheet::TableDrawing table_drawing(const scene::TableDescription& table, const sh
   return {{table.title.value_or(""), table.header, table.rows}, 1, style};
 }
 
-// Boxes of what has a given position on the sheet. Throws Error{input} for positions beyond it.
-std::vector<sheet::TurnedBox> reserved_for(const SheetInput& input, const sheet::DimensionStyle& style) {
+/// What has a given position on the sheet.
+struct Reserved {
+  std::size_t view;  ///< to which it belongs; of what belongs to none, their number
+  sheet::TurnedBox box;
+};
+
+// Throws Error{input} for positions beyond the sheet.
+std::vector<Reserved> reserved_for(const SheetInput& input, const sheet::DimensionStyle& style) {
   const sheet::Paper& paper = input.plan.furniture.paper;
   const sheet::Rectangle whole{{0, 0}, {paper.width, paper.height}};
-  std::vector<sheet::TurnedBox> boxes;
-  const auto reserve = [&](const sheet::Rectangle& box, const std::string& name, const std::string& where) {
+  std::vector<Reserved> all;
+  const auto reserve = [&](std::size_t view, const sheet::Rectangle& box, const std::string& name,
+                           const std::string& where) {
     if (!whole.holds(box))
       throw Error(ErrorKind::input, where, name + " does not fit on the sheet at this position",
                   "it is " + format_rounded(box.size().x, 4) + " by " + format_rounded(box.size().y, 4) +
                       " mm large, below and on the right of its position; the sheet has " +
                       format_rounded(paper.width, 4) + " by " + format_rounded(paper.height, 4) + " mm");
-    boxes.push_back(sheet::turned_box(box));
+    all.push_back({view, sheet::turned_box(box)});
   };
-  const auto add = [&](const scene::CalloutDescription& callout) {
+  const auto add = [&](std::size_t view, const scene::CalloutDescription& callout) {
     if (callout.at.given())
-      reserve(sheet::box_at(drawn(callout, style), *callout.at), name_of(callout), callout.at.where);
+      reserve(view, sheet::box_at(drawn(callout, style), *callout.at), name_of(callout), callout.at.where);
   };
-  for (const Annotations& one : input.annotations)
-    for (const ViewCallout& callout : one.callouts) add(callout.description);
-  for (const scene::CalloutDescription& callout : callouts_of_sheet(input)) add(callout);
+  const std::size_t none = input.annotations.size();
+  for (std::size_t view = 0; view < none; ++view)
+    for (const ViewCallout& callout : input.annotations[view].callouts) add(view, callout.description);
+  for (const scene::CalloutDescription& callout : callouts_of_sheet(input)) add(none, callout);
   for (const scene::TableDescription& table : tables_of_sheet(input)) {
     if (!table.at.given()) continue;
     const Vec2 size = table_drawing(table, style).size();
-    reserve({*table.at - Vec2(0, size.y), *table.at + Vec2(size.x, 0)}, table_name(table), table.at.where);
+    reserve(none, {*table.at - Vec2(0, size.y), *table.at + Vec2(size.x, 0)}, table_name(table), table.at.where);
   }
-  return boxes;
+  return all;
 }
 
 // Those that have ink.
-void add_layers(AnnotationLayers& result, sheet::Neighbours& around, sheet::CalloutLayers layers,
+void add_layers(std::vector<sheet::Layer>& layers, sheet::Neighbours& around, sheet::CalloutLayers more,
                 const sheet::Lettering& lettering) {
-  add_boxes(around.boxes, layers.notes, lettering);
-  add_outlines(around.boxes, layers.symbols);
-  for (sheet::Layer* layer : {&layers.notes, &layers.symbols})
-    if (!layer->strokes.empty() || !layer->texts.empty()) result.layers.push_back(std::move(*layer));
-}
-
-// Datums and frames in line with dimension lines, which show that they mean an axis or median plane (ISO 5459). Where
-// arrows are outside, one makes room.
-std::vector<sheet::Callout> attach(sheet::PlacedLayer& placed, std::span<const scene::CalloutDescription> attached,
-                                   const sheet::DimensionStyle& style, std::vector<std::string>& unplaced) {
-  std::vector<sheet::Callout> callouts;
-  std::vector<int> replaced;
-  for (const scene::CalloutDescription& one : attached) {
-    std::vector<sheet::DimensionEnd>& ends = placed.ends[*one.dimension];
-    std::stable_sort(ends.begin(), ends.end(),
-                     [](const auto& a, const auto& b) { return !a.arrow.has_value() && b.arrow.has_value(); });
-    if (ends.empty() && !one.requirement.empty()) {
-      unplaced.push_back(one.requirement);
-      continue;
-    }
-    if (ends.empty())
-      throw Error(ErrorKind::input, one.dimension.where,
-                  "dimension '" + *one.dimension + "' has no free end of a straight dimension line for " + name_of(one),
-                  "refer to a length, or to a diameter in a view across its axis, to which nothing else is attached");
-    const auto target = [](const sheet::DimensionEnd& end) {
-      return sheet::CalloutTarget{end.point, LeaderEnd::arrow, end.outwards, true, true};
-    };
-    sheet::Callout& callout = callouts.emplace_back(drawn(one, style));
-    callout.target = target(ends.front());
-    if (ends.front().arrow) replaced.push_back(*ends.front().arrow);
-    if (ends.size() > 1 && !ends[1].arrow && attached.size() == 1) callout.others = {target(ends[1])};
-    ends.erase(ends.begin());
-  }
-  std::sort(replaced.rbegin(), replaced.rend());
-  for (const int arrow : replaced) placed.layer.fills.erase(placed.layer.fills.begin() + arrow);
-  return callouts;
+  add_boxes(around.boxes, more.notes, lettering);
+  add_outlines(around.boxes, more.symbols);
+  for (sheet::Layer* layer : {&more.notes, &more.symbols})
+    if (!layer->strokes.empty() || !layer->texts.empty()) layers.push_back(std::move(*layer));
 }
 
 // Everything that is in the way of dimensions of a view.
@@ -319,29 +295,90 @@ void tell_unseen(AnnotationLayers& result, const sheet::PlacedLayer& placed, con
     result.findings.push_back({report::FindingKind::undimensioned, view, "it does not show '" + text + "'"});
 }
 
-/// A view whose dimensions are placed.
-struct ViewToDimension {
+/// A view whose dimensions and callouts are placed.
+struct ViewToAnnotate {
   const SheetInput& input;
   std::span<const ViewResult> views;
   std::size_t view;
-  std::span<const sheet::TurnedBox> reserved;  ///< for what has a given position
+  std::span<const Reserved> reserved;
+  std::vector<sheet::Callout> callouts{};
 };
 
-// Returns the callouts that are in line with dimensions.
-std::vector<sheet::Callout> add_dimensions(AnnotationLayers& result, sheet::Neighbours& around,
-                                           const ViewToDimension& of, const sheet::DimensionStyle& style,
-                                           const Budget& budget) {
-  const Annotations& annotations = of.input.annotations[of.view];
+// Of a view: first datums and frames in line with dimension lines, which show that they mean an axis or median plane
+// (ISO 5459).
+std::vector<sheet::Callout> callouts_of(AnnotationLayers& result, const SheetInput& input, std::size_t view,
+                                        const sheet::DimensionStyle& style) {
+  const Annotations& annotations = input.annotations[view];
+  std::vector<sheet::Callout> callouts;
+  std::map<std::string, std::size_t> ends;
+  for (const scene::CalloutDescription& one : annotations.attached) {
+    sheet::Callout& callout = callouts.emplace_back(drawn(one, style));
+    callout.dimension = *one.dimension;
+    callout.end = ends[callout.dimension]++;
+    callout.is_alone = annotations.attached.size() == 1;
+  }
+  for (std::size_t k = 0; k < annotations.callouts.size(); ++k) {
+    const scene::CalloutDescription& description = annotations.callouts[k].description;
+    if (!input.targets[view][k]) result.unplaced.push_back(description.requirement);
+    if (!input.targets[view][k]) continue;
+    callouts.push_back(drawn(description, style));
+    callouts.back().target = input.targets[view][k];
+  }
+  return callouts;
+}
+
+// Whether there is no end of a dimension line for a callout. Throws Error{input} if somebody asked for it.
+bool lacks_end(const sheet::PlacedLayer& placed, const sheet::Callout& callout,
+               std::span<const scene::CalloutDescription> attached) {
+  if (callout.target) return false;
+  const auto ends = placed.ends.find(callout.dimension);
+  const bool lacks = ends == placed.ends.end() || ends->second.size() <= callout.end;
+  if (!lacks || !callout.requirement.empty()) return lacks;
+  const auto one = std::ranges::find_if(attached, [&](const auto& of) { return *of.dimension == callout.dimension; });
+  throw Error(ErrorKind::input, one->dimension.where,
+              "dimension '" + callout.dimension + "' has no free end of a straight dimension line for " + callout.name,
+              "refer to a length, or to a diameter in a view across its axis, to which nothing else is attached");
+}
+
+void add_callouts(AnnotationLayers& result, sheet::Neighbours& around, const ViewToAnnotate& of,
+                  const sheet::DimensionStyle& style, const sheet::PlacedLayer& placed) {
+  const sheet::SheetFurniture& furniture = of.input.plan.furniture;
+  const drawing::ViewDrawing& drawing = of.views[of.view].drawing;
+  const std::vector<sheet::Callout>& callouts = of.callouts;
+  sheet::CalloutLayers layers = sheet::callout_layers(drawing.name, style);
+  const sheet::CalloutFaults faults = sheet::draw_callouts(layers, callouts, placed, style);
+  for (const auto& [number, box] : faults.places) result.places.push_back({callouts[number].requirement, of.view, box});
+  if (auto areas =
+          sheet::target_areas(drawing, callouts, faults, sheet::line_widths(furniture.paper, furniture.styles)))
+    result.layers.push_back(std::move(*areas));
+  for (const std::size_t number : faults.without_place) {
+    const std::string& name = callouts[number].name;
+    result.unplaced.push_back(callouts[number].requirement);
+    if (lacks_end(placed, callouts[number], of.input.annotations[of.view].attached)) continue;
+    result.warnings.push_back("there is no place for " + name + " around the view '" + drawing.name +
+                              "'\n  hint: use a larger sheet or a smaller scale, or give its position, 'at'");
+    result.findings.push_back({report::FindingKind::off_sheet, drawing.name, "there is no place for " + name});
+    ++result.without_room;
+  }
+  add_layers(result.layers, around, std::move(layers), style.lettering);
+}
+
+// Dimensions, notes and symbols, in layers of their own.
+void add_annotations(AnnotationLayers& result, sheet::Neighbours& around, ViewToAnnotate of,
+                     const sheet::DimensionStyle& style, const Budget& budget) {
   const drawing::ViewDrawing& drawing = of.views[of.view].drawing;
   const sheet::Paper& paper = of.input.plan.furniture.paper;
-  const WantedDimensions wanted = dimensions_of(annotations, of.views[of.view]);
-  if (wanted.dimensions.empty()) return {};
+  const WantedDimensions wanted = dimensions_of(of.input.annotations[of.view], of.views[of.view]);
+  of.callouts = callouts_of(result, of.input, of.view, style);
+  if (wanted.dimensions.empty() && of.callouts.empty()) return;
   sheet::Neighbours neighbours = in_the_way(around, of.input, of.views, of.view, style);
-  neighbours.boxes.insert(neighbours.boxes.end(), of.reserved.begin(), of.reserved.end());
+  for (const Reserved& one : of.reserved)
+    if (one.view != of.view) neighbours.boxes.push_back(one.box);
   const bool lacks_lines = !of.views[of.view].partial.stages.empty();
-  sheet::PlacedLayer placed =
-      sheet::place_dimensions({of.input.world, drawing, wanted.dimensions, wanted.found, lacks_lines, wanted.equal},
-                              style, neighbours, budget.run.with_part_of_the_time(0.5));
+  const std::vector<sheet::ItemBeside> items = sheet::callout_items(of.callouts, drawing, style);
+  sheet::PlacedLayer placed = sheet::place_dimensions(
+      {of.input.world, drawing, wanted.dimensions, wanted.found, lacks_lines, wanted.equal, items}, style, neighbours,
+      budget.run.with_part_of_the_time(0.5));
   note_faults(result.findings, drawing.name, placed, paper);
   tell_left_out(result, placed, wanted.dimensions.size(), drawing.name);
   tell_unseen(result, placed, drawing.name);
@@ -357,50 +394,12 @@ std::vector<sheet::Callout> add_dimensions(AnnotationLayers& result, sheet::Neig
   if (!sheet::on_paper(placed.layer, {paper.width, paper.height}))
     result.warnings.push_back("dimensions of the view '" + drawing.name +
                               "' extend beyond the sheet\n  hint: use a smaller scale or a larger sheet");
-  std::vector<sheet::Callout> attached;
-  if (undrawn == 0) attached = attach(placed, annotations.attached, style, result.unplaced);
+  sheet::take_out_replaced(placed, of.callouts);
   add_boxes(around.boxes, placed.layer, style.lettering);
   around.zones.insert(around.zones.end(), placed.zones.begin(), placed.zones.end());
   for (const sheet::Text& text : placed.layer.texts) around.texts.push_back(sheet::box_of(text, style.lettering));
-  result.layers.push_back(std::move(placed.layer));
-  return attached;
-}
-
-/// Callouts by view.
-using CalloutsOfViews = std::vector<std::vector<sheet::Callout>>;
-
-// Notes and symbols with leaders, in layers of their own; first those that are attached to dimensions.
-void add_callouts(AnnotationLayers& result, sheet::Neighbours& around, const SheetInput& input,
-                  std::span<const ViewResult> views, const sheet::DimensionStyle& style, CalloutsOfViews attached) {
-  const sheet::LineWidths widths = sheet::line_widths(input.plan.furniture.paper, input.plan.furniture.styles);
-  for (std::size_t i = 0; i < views.size(); ++i) {
-    std::vector<sheet::Callout> callouts = std::move(attached[i]);
-    for (std::size_t k = 0; k < input.annotations[i].callouts.size(); ++k) {
-      const scene::CalloutDescription& description = input.annotations[i].callouts[k].description;
-      if (!input.targets[i][k]) result.unplaced.push_back(description.requirement);
-      if (!input.targets[i][k]) continue;
-      callouts.push_back(drawn(description, style));
-      callouts.back().target = input.targets[i][k];
-    }
-    if (callouts.empty()) continue;
-    const drawing::ViewDrawing& drawing = views[i].drawing;
-    const sheet::Neighbours neighbours = beside_view(around, input, views, i, style.lettering);
-    sheet::CalloutLayers layers = sheet::callout_layers(drawing.name, style);
-    const sheet::CalloutFaults faults = sheet::place_callouts(layers, callouts, drawing, style, neighbours);
-    for (const auto& [number, box] : faults.places) result.places.push_back({callouts[number].requirement, i, box});
-    if (auto areas = sheet::target_areas(drawing, callouts, faults, widths)) result.layers.push_back(std::move(*areas));
-    for (const std::size_t number : faults.without_place) {
-      const std::string& name = callouts[number].name;
-      result.unplaced.push_back(callouts[number].requirement);
-      result.warnings.push_back("there is no place for " + name + " around the view '" + drawing.name +
-                                "'\n  hint: use a larger sheet or a smaller scale, or give its position, 'at'");
-      result.findings.push_back({report::FindingKind::off_sheet, drawing.name, "there is no place for " + name});
-      ++result.without_room;
-    }
-    for (const std::string& name : faults.crossings)
-      result.findings.push_back({report::FindingKind::crossing, drawing.name, name + " and something else"});
-    add_layers(result, around, std::move(layers), style.lettering);
-  }
+  if (!wanted.dimensions.empty()) result.layers.push_back(std::move(placed.layer));
+  add_callouts(result, around, of, style, placed);
 }
 
 // Adds a callout in the free room nearest to a point; returns its box, or nothing if there is no room.
@@ -489,7 +488,7 @@ void add_free_callouts(AnnotationLayers& result, sheet::Neighbours& around, cons
   const std::string heading(sheet::caption("notes", input.sheet().field("language")));
   if (!notes.empty() && !add_general_notes(layers, notes, heading, room, taken, style))
     warn("the general notes"), std::ranges::copy(required, std::back_inserter(result.unplaced));
-  add_layers(result, around, std::move(layers), style.lettering);
+  add_layers(result.layers, around, std::move(layers), style.lettering);
 }
 
 // Beside the dimensions and symbols of a view that draw requirements.
@@ -559,8 +558,7 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
   std::vector<sheet::Layer> marks = marks_of(input.annotations, views, widths);
   std::optional<sheet::Lettering> lettering;
   sheet::Neighbours around;
-  std::vector<sheet::TurnedBox> reserved;
-  CalloutsOfViews attached(views.size());
+  std::vector<Reserved> reserved;
   const auto style = [&] {
     return sheet::DimensionStyle{*lettering, widths.narrow, dimension_text_height(paper, views.size()), notation};
   };
@@ -578,13 +576,12 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
   result.left_out.resize(views.size());
   result.unseen.resize(views.size());
   for (std::size_t i = 0; i < views.size(); ++i) {
-    if (input.annotations[i].dimensions.empty()) continue;
+    if (input.annotations[i].dimensions.empty() && input.annotations[i].callouts.empty()) continue;
     open_font();
-    attached[i] = add_dimensions(result, around, {input, views, i, reserved}, style(), budget);
+    add_annotations(result, around, {input, views, i, reserved}, style(), budget);
     if (result.leaves_out_more_than(input.max_left_out)) return result;
   }
   if (lettering) {
-    add_callouts(result, around, input, views, style(), std::move(attached));
     add_balloons(result, around, input, views, style());
     add_tables(result, around, input, views, style());
     add_text_tables(result, around, input, views, style());

@@ -5,16 +5,15 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <map>
 #include <numbers>
-#include <string_view>
+#include <numeric>
 #include <utility>
 
 #include "base/error.hpp"
-#include "dimensions/surroundings.hpp"
+#include "dimensions/costs.hpp"
 #include "drawing/drawing.hpp"
-#include "sheet/box_index.hpp"
 #include "sheet/fit_text.hpp"
+#include "sheet/furniture.hpp"
 #include "sheet/line_styles.hpp"
 
 namespace epura::sheet {
@@ -23,10 +22,10 @@ namespace {
 
 constexpr double beside_text = 0.25, below = 0.5;     // free around texts on a reference line, in heights of capitals
 constexpr double triangle = std::numbers::sqrt3 / 2;  // height of the triangle of a datum, likewise
-constexpr double callout_clearance = 1.5;             // mm, between a callout and everything else
+constexpr double callout_clearance = 1.5;             // mm around a callout
 constexpr double shortest_leader = 8, longest = 200, leader_step = 1.5;  // mm, of leaders
 
-/// A direction of leaders, and how much it is disliked. mm
+/// A direction of leaders, and how much it is disliked.
 struct LeaderDirection {
   int degrees;
   double cost;
@@ -34,233 +33,188 @@ struct LeaderDirection {
 
 constexpr std::array<LeaderDirection, 16> oblique{{{60, 0},
                                                    {120, 0},
-                                                   {45, 1},
-                                                   {135, 1},
-                                                   {300, 2},
-                                                   {240, 2},
-                                                   {315, 3},
-                                                   {225, 3},
-                                                   {30, 4},
-                                                   {150, 4},
-                                                   {75, 5},
-                                                   {105, 5},
-                                                   {330, 6},
-                                                   {210, 6},
-                                                   {285, 7},
-                                                   {255, 7}}};
+                                                   {45, 2.5},
+                                                   {135, 2.5},
+                                                   {300, 1},
+                                                   {240, 1},
+                                                   {315, 1.5},
+                                                   {225, 1.5},
+                                                   {30, 2},
+                                                   {150, 2},
+                                                   {75, 2.5},
+                                                   {105, 2.5},
+                                                   {330, 3},
+                                                   {210, 3},
+                                                   {285, 3.5},
+                                                   {255, 3.5}}};
 
-/// A possible place: its box, the way of its leader from the target, and how much it is disliked. mm
+/// A way of leaders to a callout, of any length.
+struct Way {
+  CalloutTarget target;
+  Vec2 along;
+  double cost = 0;
+  std::optional<Vec2> via{};  ///< where it begins after a part along the normal
+  bool to_right = false;      ///< the side of its end on which the callout is
+  bool is_centred = false;    ///< otherwise the callout is above or below its end
+  double landing = 0;         ///< mm
+};
+
+/// A place: the box of the callout, and its leader from the target.
 struct Spot {
   Rectangle box;
   std::vector<Vec2> leader;
-  double cost = 0;
-  CalloutTarget target{};
 };
-
-Rectangle box_from(const Vec2& corner, const Vec2& size) { return {corner, corner + size}; }
 
 bool is_upright(const Vec2& direction) { return std::abs(direction.x) < 0.02; }
 bool is_level(const Vec2& direction) { return std::abs(direction.y) < 0.02; }
 
-// With a bend of the leader at a point; the callout is on one side of it.
-Spot spot_at(const Callout& callout, const Vec2& bend, bool to_right, double landing) {
-  const double way = to_right ? 1 : -1, width = callout.size.x;
-  const Vec2 target = callout.target->point;
-  if (callout.form == LeaderForm::reference)
-    return {box_from(to_right ? bend : bend - Vec2(width, 0), callout.size),
-            {target, bend, bend + Vec2(way * width, 0)}};
-  const Vec2 end = bend + Vec2(way * landing, 0);
-  return {box_from(end - Vec2(to_right ? 0 : width, callout.attach), callout.size), {target, bend, end}};
-}
-
-// With a leader of this length and direction.
-std::vector<Spot> spots_along(const Callout& callout, const Vec2& along, double length, double landing) {
-  const Vec2 end = callout.target->point + length * along;
-  if (callout.form == LeaderForm::datum && is_upright(along)) {
-    const Vec2 corner = end - Vec2(callout.size.x / 2, along.y > 0 ? 0 : callout.size.y);
-    return {{box_from(corner, callout.size), {callout.target->point, end}}};
-  }
-  if (is_upright(along)) return {spot_at(callout, end, true, landing), spot_at(callout, end, false, landing)};
-  const bool is_straight = is_level(along) && callout.form != LeaderForm::reference;
-  return {spot_at(callout, end, along.x > 0, is_straight ? 0 : landing)};
-}
-
-// Where a perpendicular leader would cross lettering, that of a datum bends at the tip of its triangle.
-void add_bent_datums(std::vector<Spot>& spots, const Callout& callout, double length, double text_height) {
-  constexpr double for_bend = 20, min_rise = 0.2;  // mm; along the normal
-  const Vec2 target = callout.target->point, normal = *callout.target->normal;
-  for (const double sign : {1.0, -1.0}) {
-    if (sign < 0 && callout.target->is_border) continue;
-    const Vec2 tip = target + sign * triangle * text_height * normal;
-    for (int degrees = 15; degrees < 360; degrees += 15) {
-      const Vec2 along = turned_to(degrees * std::numbers::pi / 180);
-      if (degrees % 90 == 0 || sign * glm::dot(along, normal) < min_rise) continue;
-      Spot spot = spot_at(callout, tip + length * along, along.x > 0, text_height);
-      spot.leader.insert(spot.leader.begin() + 1, tip);
-      spot.cost = length + for_bend;
-      spots.push_back(std::move(spot));
-    }
-  }
-}
-
-// In line with a dimension line, then across it: where there is no other place.
-void add_bent_in_line(std::vector<Spot>& spots, const Callout& callout, double length, double landing) {
-  constexpr double for_bend = 1e4;  // mm
-  const Vec2 elbow = callout.target->point + shortest_leader * *callout.target->normal;
-  for (const double side : {1.0, -1.0}) {
-    const Vec2 along = side * left_of(*callout.target->normal);
-    for (const bool to_right : {true, false}) {
-      if (!is_upright(along) && to_right != (along.x > 0)) continue;
-      Spot spot = spot_at(callout, elbow + length * along, to_right, is_level(along) ? 0 : landing);
-      spot.leader.insert(spot.leader.begin() + 1, elbow);
-      spot.cost = length + for_bend;
-      check(spot.leader.front() == callout.target->point, "a leader begins at its target");
-      spots.push_back(std::move(spot));
-    }
-  }
-}
-
-// The possible places with leaders of this length.
-std::vector<Spot> spots_of(const Callout& callout, double length, double landing) {
-  constexpr double for_inside = 25, for_oblique = 12, for_slant_of_frame = 40;  // mm
-  const std::optional<Vec2>& normal = callout.target->normal;
-  std::vector<Spot> spots;
-  const auto add = [&](const Vec2& along, double cost) {
-    for (Spot& spot : spots_along(callout, along, length, landing)) {
-      check(spot.leader.size() >= 2 && spot.leader.front() == callout.target->point, "a leader begins at its target");
-      spot.cost = length + cost;
-      spots.push_back(std::move(spot));
-    }
-  };
+// With a bend of the leader at a point.
+Spot spot_at(const Callout& callout, const Way& way, const Vec2& bend) {
+  const Vec2 &size = callout.size, out = {way.to_right ? 1 : -1, 0};
   const bool is_text = callout.form == LeaderForm::reference;
-  if (normal && !is_text) {
-    add(*normal, 0);
-    if (!callout.target->is_border) add(-*normal, 0);
-  }
-  if (callout.target->in_line && callout.form != LeaderForm::datum) {
-    if (normal) add_bent_in_line(spots, callout, length, landing);
-    return spots;
-  }
-  if (callout.form == LeaderForm::datum) {
-    if (normal) add_bent_datums(spots, callout, length, landing);
-    return spots;
-  }
-  for (const LeaderDirection& direction : oblique) {
-    const Vec2 along = turned_to(direction.degrees * std::numbers::pi / 180);
-    const double weight = is_text ? for_oblique : for_slant_of_frame;
-    const double slant = normal ? weight * (1 - std::abs(glm::dot(along, *normal))) : 0;
-    const bool is_inside = normal && callout.target->is_border && glm::dot(along, *normal) < 0.05;
-    add(along, direction.cost + slant + (is_inside ? for_inside : 0) + (normal && !is_text ? for_oblique : 0));
-  }
-  return spots;
+  const Vec2 end = bend + (is_text ? size.x : way.landing) * out;
+  Vec2 corner = (is_text ? bend : end) - Vec2(way.to_right ? 0 : size.x, is_text ? 0 : callout.attach);
+  if (way.is_centred) corner = bend - Vec2(size.x / 2, way.along.y > 0 ? 0 : size.y);
+  Spot spot{{corner, corner + size}, {way.target.point}};
+  if (way.via) spot.leader.push_back(*way.via);
+  spot.leader.push_back(bend);
+  if (!way.is_centred) spot.leader.push_back(end);
+  return spot;
 }
 
-bool has_inside(const TurnedBox& box) { return box.half.x > 0 && box.half.y > 0; }
-
-/// Chooses places, one callout after another.
-class CalloutPlacer {
+/// Collects the ways to a callout from one target.
+class Ways {
  public:
-  CalloutPlacer(const drawing::ViewDrawing& view, const Neighbours& neighbours)
-      : view_(view), ink_(view), paper_(neighbours.paper), hatched_(hatched_boxes(view)) {
-    for (const TurnedBox& box : neighbours.boxes) add(box);
-  }
+  Ways(const Callout& callout, const CalloutTarget& target, double text_height)
+      : form_(callout.form), target_(target), text_height_(text_height) {}
 
-  [[nodiscard]] std::optional<Spot> best(const Callout& callout, double landing) const {
-    std::optional<Spot> best;
-    double least = HUGE_VAL;
-    find_best(callout, landing, best, least);
-    Callout other = callout;
-    for (const CalloutTarget& target : callout.others) {
-      other.target = target;
-      find_best(other, landing, best, least);
+  std::vector<Way> all() && {
+    constexpr double for_inside = 12, for_oblique = 6;
+    const std::optional<Vec2>& normal = target_.normal;
+    const bool is_text = form_ == LeaderForm::reference, is_datum = form_ == LeaderForm::datum;
+    if (normal && !is_text) {
+      add(*normal, 0);
+      if (!target_.is_border) add(-*normal, 0);
     }
-    return best;
-  }
-
-  // Replaces the best place by one that costs less, if there is one.
-  void find_best(const Callout& callout, double landing, std::optional<Spot>& best, double& least) const {
-    for (double length = shortest_leader; length <= longest && length < least; length += leader_step)
-      for (Spot& spot : spots_of(callout, length, landing)) {
-        if (spot.cost >= least || !is_free(spot.box)) continue;
-        const double cost = spot.cost + cost_of(spot);
-        if (cost >= least) continue;
-        least = cost;
-        best = std::move(spot);
-        best->target = *callout.target;
-      }
-  }
-
-  // At a given position, from the side whose leader does not cross the callout, or the nearer one.
-  [[nodiscard]] Spot fixed(const Callout& callout, double landing) const {
-    const Rectangle box = box_at(callout, *callout.at);
-    const bool is_text = callout.form == LeaderForm::reference;
-    const double y = box.min.y + (is_text ? 0 : callout.attach), away = is_text ? 0 : landing;
-    const Spot right = spot_at(callout, {box.min.x - away, y}, true, landing);
-    const Spot left = spot_at(callout, {box.max.x + away, y}, false, landing);
-    const auto rank = [&](const Spot& spot) {
-      const bool crosses = overlap(line_box(spot.leader[0], spot.leader[1]), turned_box(box));
-      return std::pair(crosses, glm::length(spot.leader[0] - spot.leader[1]));
-    };
-    Spot best = rank(left) < rank(right) ? left : right;
-    best.target = *callout.target;
-    return best;
-  }
-
-  [[nodiscard]] bool is_free(const Rectangle& box) const {
-    const Rectangle wide = box.grown(callout_clearance);
-    if (paper_ && !paper_->holds(wide)) return false;
-    const TurnedBox turned = turned_box(wide);
-    return areas_.overlaps(turned, 0) == 0 && line_index_.overlaps(turned, 0) == 0 &&
-           std::none_of(hatched_.begin(), hatched_.end(), [&](const Rectangle& one) { return one.overlaps(wide); }) &&
-           ink_.in(turned) == 0;
-  }
-
-  void add(const Spot& spot) {
-    add(turned_box(spot.box));
-    for (std::size_t i = 1; i < spot.leader.size(); ++i) add(line_box(spot.leader[i - 1], spot.leader[i]));
+    if (normal && is_datum) add_bent_datums();
+    if (normal && target_.in_line && !is_datum) add_bent_in_line();
+    if (is_datum || target_.in_line) return std::move(ways_);
+    for (const LeaderDirection& direction : oblique) {
+      const Vec2 along = turned_to(direction.degrees * std::numbers::pi / 180);
+      const double weight = is_text ? for_oblique : cost_of_slant;
+      const double slant = normal ? weight * (1 - std::abs(glm::dot(along, *normal))) : 0;
+      const bool is_inside = normal && target_.is_border && glm::dot(along, *normal) < 0.05;
+      add(along, direction.cost + slant + (is_inside ? for_inside : 0) + (normal && !is_text ? for_oblique : 0));
+    }
+    check(!ways_.empty(), "frames and texts may be anywhere");
+    return std::move(ways_);
   }
 
  private:
-  void add(const TurnedBox& box) {
-    if (has_inside(box)) return areas_.add({&box, 1});
-    lines_.push_back(box);
-    line_index_.add({&box, 1});
+  void add(const Vec2& along, double cost, const std::optional<Vec2>& via = std::nullopt) {
+    const bool is_text = form_ == LeaderForm::reference;
+    const double landing = is_level(along) && !is_text ? 0 : text_height_;
+    const bool is_centred = form_ == LeaderForm::datum && !via && is_upright(along);
+    for (const bool to_right : {true, false})
+      if (is_upright(along) ? to_right || !is_centred : to_right == (along.x > 0))
+        ways_.push_back({target_, along, cost, via, to_right, is_centred, landing});
   }
-
-  // Of what the leader crosses; infinite for lettering.
-  [[nodiscard]] double cost_of(const Spot& spot) const {
-    constexpr double in_view = 60, for_line = 20, for_ink = 2;  // mm
-    constexpr double at_target = 0.5;                           // mm of the leader that touch what it means
-    constexpr double leader_clearance = 0.8;                    // mm to lettering and parallel lines
-    const Rectangle whole{view_.box.min, view_.box.max};
-    double cost = spot.box.overlaps(whole) ? in_view : 0;
-    for (std::size_t i = 1; i < spot.leader.size(); ++i) {
-      const Vec2 &from = spot.leader[i - 1], &to = spot.leader[i];
-      if (from == to) continue;
-      const Vec2 start = i == 1 ? from + at_target * glm::normalize(to - from) : from;
-      const TurnedBox line = line_box(start, to);
-      const auto is_met = [&line](const TurnedBox& other) { return overlap(line, other); };
-      TurnedBox wide = line;
-      wide.half.y = leader_clearance;
-      const auto is_near = [&wide](const TurnedBox& other) { return overlap(wide, other); };
-      if (areas_.overlaps(wide, 0) > 0) return HUGE_VAL;
-      const auto is_along = [&](const TurnedBox& other) {
-        return is_met(other) || (is_near(other) && look_parallel(line, other));
-      };
-      cost += for_line * static_cast<double>(std::count_if(lines_.begin(), lines_.end(), is_along)) +
-              for_ink * ink_.in(line);
+  // Where a perpendicular leader would cross lettering, that of a datum bends at the tip of its triangle.
+  void add_bent_datums() {
+    constexpr double for_bend = 10, min_rise = 0.2;  // of the direction, along the normal
+    for (const double sign : {1.0, -1.0}) {
+      if (sign < 0 && target_.is_border) continue;
+      const Vec2 normal = sign * *target_.normal, tip = target_.point + triangle * text_height_ * normal;
+      for (int degrees = 15; degrees < 360; degrees += 15) {
+        const Vec2 along = turned_to(degrees * std::numbers::pi / 180);
+        if (degrees % 90 != 0 && glm::dot(along, normal) >= min_rise) add(along, for_bend, tip);
+      }
     }
-    check(cost >= 0, "no place is better than a free one");
-    return cost;
+  }
+  // In line with a dimension line, then across it: where there is no other place.
+  void add_bent_in_line() {
+    const Vec2 elbow = target_.point + shortest_leader * *target_.normal;
+    for (const double side : {1.0, -1.0}) add(side * left_of(*target_.normal), cost_of_letter, elbow);
   }
 
-  const drawing::ViewDrawing& view_;
-  InkIndex ink_;
-  std::optional<Rectangle> paper_;
-  std::vector<Rectangle> hatched_;
-  BoxIndex areas_{}, line_index_{};
-  std::vector<TurnedBox> lines_{};  ///< again, to see what is parallel
+  LeaderForm form_;
+  const CalloutTarget& target_;
+  double text_height_;
+  std::vector<Way> ways_{};
 };
+
+// What it takes up on paper: the strokes are its leader and the outline of its box. The leader may touch what it means,
+// and in line with a dimension line it begins beside the arrow of that.
+PlacedDimension drawn(const Spot& spot, const Callout& callout, const CalloutTarget& target) {
+  constexpr double at_target = 0.5;  // mm
+  PlacedDimension placed;
+  placed.strokes = {Stroke{spot.leader}, outline(spot.box)};
+  placed.zones = {turned_box(spot.box.grown(callout_clearance))};
+  placed.text_boxes = placed.zones;
+  const std::size_t lines = spot.leader.size() - (callout.form == LeaderForm::reference ? 1 : 0);
+  for (std::size_t i = 1; i < lines; ++i) {
+    const Vec2 &from = spot.leader[i - 1], &to = spot.leader[i];
+    const double length = glm::distance(from, to), free = i > 1 ? 0 : target.in_line ? shortest_leader : at_target;
+    if (length <= free) continue;
+    placed.leaders.push_back({from + free / length * (to - from), to});
+    placed.lines.push_back(line_box(placed.leaders.back().tip, to));
+  }
+  return placed;
+}
+
+// At a given position, from the side whose leader does not cross the callout, or the nearer one.
+ItemPlacement given_placement(const Callout& callout, double landing) {
+  const Rectangle box = box_at(callout, *callout.at);
+  const bool is_text = callout.form == LeaderForm::reference;
+  const double y = box.min.y + (is_text ? 0 : callout.attach), away = is_text ? 0 : landing;
+  const auto from = [&](bool to_right) {
+    const Way way{*callout.target, {to_right ? 1 : -1, 0}, 0, std::nullopt, to_right, false, landing};
+    return spot_at(callout, way, {to_right ? box.min.x - away : box.max.x + away, y});
+  };
+  const auto rank = [&](const Spot& spot) {
+    const bool crosses = overlap(line_box(spot.leader[0], spot.leader[1]), turned_box(box));
+    return std::pair(crosses, glm::length(spot.leader[0] - spot.leader[1]));
+  };
+  const Spot right = from(true), left = from(false);
+  return {drawn(rank(left) < rank(right) ? left : right, callout, *callout.target), 0};
+}
+
+// Ends of a dimension line, with which a callout is in line. Where arrows are outside, one makes room.
+std::vector<CalloutTarget> targets_at(std::vector<DimensionEnd> ends, const Callout& callout) {
+  std::stable_sort(ends.begin(), ends.end(),
+                   [](const auto& a, const auto& b) { return !a.arrow.has_value() && b.arrow.has_value(); });
+  std::vector<CalloutTarget> targets;
+  for (std::size_t i = callout.end; i < ends.size(); ++i)
+    if (i == callout.end || (callout.is_alone && i == 1 && !ends[1].arrow))
+      targets.push_back({ends[i].point, LeaderEnd::arrow, ends[i].outwards, true, true});
+  return targets;
+}
+
+std::vector<CalloutTarget> targets_of(const Callout& callout, const std::vector<DimensionEnd>& ends) {
+  if (!callout.target) return targets_at(ends, callout);
+  std::vector<CalloutTarget> targets{*callout.target};
+  targets.insert(targets.end(), callout.others.begin(), callout.others.end());
+  return targets;
+}
+
+// Not on hatching, and outside the view if possible.
+std::vector<ItemPlacement> placements_of(const Callout& callout, const std::vector<CalloutTarget>& targets,
+                                         const drawing::ViewDrawing& view, const DimensionStyle& style) {
+  const std::vector<Rectangle> hatched = hatched_boxes(view);
+  const Rectangle whole{view.box.min, view.box.max};
+  std::vector<ItemPlacement> placements;
+  for (const CalloutTarget& target : targets)
+    for (const Way& way : Ways(callout, target, style.text).all())
+      for (double length = shortest_leader; length <= longest; length += leader_step) {
+        const Spot spot = spot_at(callout, way, way.via.value_or(target.point) + length * way.along);
+        const auto is_on = [&](const Rectangle& one) { return one.overlaps(spot.box.grown(callout_clearance)); };
+        if (std::any_of(hatched.begin(), hatched.end(), is_on)) continue;
+        check(spot.leader.front() == target.point, "a leader begins at its target");
+        const double cost = way.cost + cost_of_way * length + (spot.box.overlaps(whole) ? cost_in_view : 0);
+        placements.push_back({{}, cost, [=, &callout] { return drawn(spot, callout, target); }});
+      }
+  return placements;
+}
 
 // A triangle on a line, on the side of its leader. ISO 5459.
 Fill datum_triangle(const CalloutTarget& target, const Vec2& leader, const DimensionStyle& style) {
@@ -271,28 +225,36 @@ Fill datum_triangle(const CalloutTarget& target, const Vec2& leader, const Dimen
 }
 
 // Before the callout is drawn. A callout without lines of its own is a text; its leader has it.
-LeaderObject leader_object(const Layer& notes, const Callout& callout, const Spot& spot, const DimensionStyle& style) {
-  LeaderObject object{notes.strokes.back().points, spot.target.end, style.arrow()};
+LeaderObject leader_object(const Layer& notes, const Callout& callout, const Rectangle& box, LeaderEnd end,
+                           const DimensionStyle& style) {
+  LeaderObject object{notes.strokes.back().points, end, style.arrow()};
   const std::size_t texts = notes.texts.size();
   const bool is_text = callout.form == LeaderForm::reference && callout.strokes.empty() && callout.fills.empty();
   object.texts = {texts, texts + (is_text ? callout.texts.size() : 0)};
   if (!is_text) return object;
   for (const Text& text : callout.texts) object.lines.push_back(text.text);
-  object.text_corner = {spot.box.min.x, spot.box.max.y};
+  object.text_corner = {box.min.x, box.max.y};
   object.text_height = style.text;
   return object;
 }
 
-void draw_callout(CalloutLayers& layers, const Callout& callout, const Spot& spot, const DimensionStyle& style) {
-  const CalloutTarget& target = spot.target;
+Rectangle box_of(const PlacedDimension& placed) {
+  const std::vector<Vec2>& outline = placed.strokes.back().points;
+  return {outline[0], outline[2]};
+}
+
+void draw_callout(CalloutLayers& layers, const Callout& callout, const CalloutTarget& target,
+                  const PlacedDimension& placed, const DimensionStyle& style) {
+  const Rectangle box = box_of(placed);
+  const std::vector<Vec2>& way = placed.strokes.front().points;
   const std::size_t fills = layers.notes.fills.size();
-  const Vec2 along = glm::normalize(spot.leader[1] - target.point);
+  const Vec2 along = glm::normalize(way[1] - target.point);
   Stroke& leader = layers.notes.strokes.emplace_back();
-  for (const Vec2& p : spot.leader)
+  for (const Vec2& p : way)
     if (leader.points.empty() || leader.points.back() != p) leader.points.push_back(p);
   check(!leader.points.empty(), "a leader begins at its target");
   constexpr double around = 0.5;  // heights of capitals. ISO 1101
-  if (callout.all_around) layers.symbols.strokes.push_back(circle_at(spot.leader[1], around * style.text));
+  if (callout.all_around) layers.symbols.strokes.push_back(circle_at(way[1], around * style.text));
   if (callout.form == LeaderForm::datum)
     layers.notes.fills.push_back(datum_triangle(target, along, style));
   else if (target.end == LeaderEnd::arrow)
@@ -300,12 +262,12 @@ void draw_callout(CalloutLayers& layers, const Callout& callout, const Spot& spo
   else if (target.end == LeaderEnd::dot)
     layers.notes.fills.push_back(dot_at(target.point));
   if (callout.form != LeaderForm::datum) {
-    LeaderObject object = leader_object(layers.notes, callout, spot, style);
+    LeaderObject object = leader_object(layers.notes, callout, box, target.end, style);
     object.strokes = {layers.notes.strokes.size() - 1, layers.notes.strokes.size()};
     object.fills = {fills, layers.notes.fills.size()};
     layers.notes.leaders.push_back(std::move(object));
   }
-  draw_at(layers, callout, {spot.box.min.x, spot.box.max.y});
+  draw_at(layers, callout, {box.min.x, box.max.y});
 }
 
 // Lines of at most `width`, broken at blanks; further lines are indented like the first one.
@@ -439,42 +401,70 @@ std::vector<Rectangle> hatched_boxes(const drawing::ViewDrawing& drawing) {
 
 double callout_room(double height) { return shortest_leader + height + callout_clearance; }
 
-CalloutFaults place_callouts(CalloutLayers& layers, std::span<const Callout> callouts, const drawing::ViewDrawing& view,
-                             const DimensionStyle& style, const Neighbours& neighbours) {
-  const double landing = style.text;
-  CalloutPlacer placer(view, neighbours);
-  CalloutFaults faults;
-  const auto number_of = [&](const Callout& callout) { return static_cast<std::size_t>(&callout - callouts.data()); };
+namespace {
+
+// Those with the least choice first.
+std::array<double, 3> order_of(const Callout& callout) {
+  constexpr std::array<LeaderForm, 3> forms{LeaderForm::datum, LeaderForm::landing, LeaderForm::reference};
+  return {callout.at ? 0.0 : 2.0, static_cast<double>(std::ranges::find(forms, callout.form) - forms.begin()), 0};
+}
+
+}  // namespace
+
+std::vector<ItemBeside> callout_items(std::span<const Callout> callouts, const drawing::ViewDrawing& view,
+                                      const DimensionStyle& style) {
+  std::vector<ItemBeside> items;
   for (const Callout& callout : callouts) {
-    if (!callout.at) continue;
-    const Spot spot = placer.fixed(callout, landing);
-    if (!placer.is_free(spot.box)) faults.crossings.push_back(callout.name);
-    placer.add(spot);
-    draw_callout(layers, callout, spot, style);
-    faults.places.emplace_back(number_of(callout), turned_box(spot.box));
+    PlacementItem item;
+    item.usual = [&](const PlacedDimension* host) {
+      if (callout.at) return std::vector<ItemPlacement>{given_placement(callout, style.text)};
+      return placements_of(callout, targets_of(callout, host ? host->ends : std::vector<DimensionEnd>()), view, style);
+    };
+    item.order = order_of(callout);
+    item.rank = callout.at ? ItemRank::drawn : ItemRank::required;
+    item.is_clear = !callout.at;
+    if (callout.target && callout.others.empty())
+      item.like = {callout.target->point.x, callout.target->point.y, callout.attach, item.order[1]};
+    item.size = callout.size;
+    items.push_back({std::move(item), callout.name, callout.dimension});
   }
-  // Those with the least choice first. Places are only taken: where there is none for one, there is none for a wider
-  // one.
-  for (const LeaderForm form : {LeaderForm::datum, LeaderForm::landing, LeaderForm::reference}) {
-    std::map<std::array<double, 4>, double> hopeless;  // least width
-    for (const Callout& callout : callouts) {
-      if (callout.at || callout.form != form) continue;
-      const Vec2& to = callout.target->point;
-      const std::array<double, 4> like{to.x, to.y, callout.size.y, callout.attach};
-      const auto failed = hopeless.find(like);
-      const bool may_have_place =
-          !callout.others.empty() || failed == hopeless.end() || callout.size.x < failed->second;
-      if (const auto spot = may_have_place ? placer.best(callout, landing) : std::nullopt) {
-        placer.add(*spot);
-        draw_callout(layers, callout, *spot, style);
-        faults.places.emplace_back(number_of(callout), turned_box(spot->box));
-      } else {
-        if (may_have_place && callout.others.empty()) hopeless[like] = callout.size.x;
-        faults.without_place.push_back(number_of(callout));
-      }
+  check(items.size() == callouts.size(), "every callout is an item");
+  return items;
+}
+
+void take_out_replaced(PlacedLayer& placed, std::span<const Callout> callouts) {
+  std::vector<int> replaced;
+  for (std::size_t i = 0; i < callouts.size(); ++i) {
+    if (callouts[i].target || !placed.beside[i]) continue;
+    for (const DimensionEnd& end : placed.ends[callouts[i].dimension])
+      if (end.arrow && end.point == placed.beside[i]->strokes.front().points.front()) replaced.push_back(*end.arrow);
+  }
+  std::sort(replaced.rbegin(), replaced.rend());
+  for (const int arrow : replaced) placed.layer.fills.erase(placed.layer.fills.begin() + arrow);
+}
+
+CalloutFaults draw_callouts(CalloutLayers& layers, std::span<const Callout> callouts, const PlacedLayer& placed,
+                            const DimensionStyle& style) {
+  CalloutFaults faults;
+  std::vector<std::size_t> order(callouts.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return order_of(callouts[a]) < order_of(callouts[b]); });
+  for (const std::size_t i : order) {
+    const Callout& callout = callouts[i];
+    const std::optional<PlacedDimension>& one = placed.beside[i];
+    if (!one) {
+      faults.without_place.push_back(i);
+      continue;
     }
+    const auto host = placed.ends.find(callout.dimension);
+    const std::vector<CalloutTarget> targets =
+        targets_of(callout, host != placed.ends.end() ? host->second : std::vector<DimensionEnd>());
+    const auto target = std::ranges::find(targets, one->strokes.front().points.front(), &CalloutTarget::point);
+    check(target != targets.end(), "a leader begins at its target");
+    draw_callout(layers, callout, *target, *one, style);
+    faults.places.emplace_back(i, turned_box(box_of(*one)));
   }
-  check(faults.places.size() + faults.without_place.size() == callouts.size(), "every callout is placed or reported");
   return faults;
 }
 

@@ -40,8 +40,11 @@ struct Callout {
   Vec2 size{0, 0};
   LeaderForm form = LeaderForm::reference;
   double attach = 0;                         ///< height at which a landing meets it
-  std::optional<CalloutTarget> target{};     ///< without one, it has no leader
+  std::optional<CalloutTarget> target{};     ///< without one, it has no leader, or stands at a dimension
   std::vector<CalloutTarget> others{};       ///< where the leader may end instead
+  std::string dimension{};                   ///< name of that with whose dimension line it is in line
+  std::size_t end = 0;                       ///< which of its free ends, and
+  bool is_alone = false;                     ///< whether the other one will do
   std::optional<Vec2> at{};                  ///< its upper left corner, if that is given
   bool all_around = false;                   ///< a circle at the bend of its leader
   std::optional<scene::DatumTarget> area{};  ///< that it means
@@ -72,18 +75,23 @@ std::vector<Rectangle> hatched_boxes(const drawing::ViewDrawing& drawing);
 /// Room beside a view for callouts of this height, mm.
 double callout_room(double height);
 
-/// What `place_callouts` did, and could not do.
+/// Items to be placed with the dimensions of the view: outside it if possible. Leaders of texts are oblique, those of
+/// frames and datums perpendicular to the line at which they end if possible. They refer to the callouts, the view and
+/// the style.
+std::vector<ItemBeside> callout_items(std::span<const Callout> callouts, const drawing::ViewDrawing& view,
+                                      const DimensionStyle& style);
+
+/// Takes out arrows outside, in whose places something is in line with a dimension line, before the layer is drawn.
+void take_out_replaced(PlacedLayer& placed, std::span<const Callout> callouts);
+
+/// What is drawn, and what is not.
 struct CalloutFaults {
   std::vector<std::size_t> without_place;                   ///< numbers of those that are left out
-  std::vector<std::string> crossings;                       ///< names of those at a given position on something else
   std::vector<std::pair<std::size_t, TurnedBox>> places{};  ///< numbers of those that are drawn, and their boxes
 };
 
-/// Places callouts with leaders one after another, those with given positions first, then datums, frames, texts:
-/// outside the view if possible, clear of its lines and of the neighbours. Leaders of texts are oblique, those of
-/// frames and datums perpendicular to the line at which they end if possible; they cross no lettering, and other lines
-/// only if there is no other way.
-CalloutFaults place_callouts(CalloutLayers& layers, std::span<const Callout> callouts, const drawing::ViewDrawing& view,
-                             const DimensionStyle& style, const Neighbours& neighbours);
+/// Draws the callouts where their items are.
+CalloutFaults draw_callouts(CalloutLayers& layers, std::span<const Callout> callouts, const PlacedLayer& placed,
+                            const DimensionStyle& style);
 
 }  // namespace epura::sheet

@@ -166,9 +166,9 @@ std::array<double, 2> radii_of_part(const MeasuredAngle& angle, const drawing::V
 
 }  // namespace
 
-std::vector<DimensionPlacement> placements_of(const MeasuredAngle& angle, const MeasuredDimension& measured,
-                                              const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
-  std::vector<DimensionPlacement> placements;
+std::vector<ItemPlacement> placements_of(const MeasuredAngle& angle, const MeasuredDimension& measured,
+                                         const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
+  std::vector<ItemPlacement> placements;
   const double sweep = std::abs(sector_of(angle).sweep);
   const std::array<double, 2> part = radii_of_part(angle, drawing);
   for (int k = 0; k < (measured.offset ? 1 : radii); ++k) {

@@ -58,7 +58,7 @@ double slope_cost(double angle) {
 }
 
 // A dimension line across the whole circle, from arrow to arrow.
-void add_across(std::vector<DimensionPlacement>& placements, const MeasuredCircle& circle, const DimensionText& text,
+void add_across(std::vector<ItemPlacement>& placements, const MeasuredCircle& circle, const DimensionText& text,
                 double angle, const DimensionStyle& style) {
   const Vec2 along = turned_to(angle), spoke = circle.radius * along;
   const MeasuredLength length{circle.centre - spoke, circle.centre + spoke, along, left_of(along)};
@@ -73,7 +73,7 @@ void add_across(std::vector<DimensionPlacement>& placements, const MeasuredCircl
 }
 
 // A text beside the circle, without a leader while it is near.
-void add_labels(std::vector<DimensionPlacement>& placements, const MeasuredCircle& circle, const DimensionText& text,
+void add_labels(std::vector<ItemPlacement>& placements, const MeasuredCircle& circle, const DimensionText& text,
                 const DimensionStyle& style) {
   constexpr int sides = 8, distances = 4;
   constexpr double nearest = 0.3, farther = 0.5;  // of the height of capitals
@@ -100,9 +100,9 @@ std::vector<double> angles_of(const MeasuredCircle& circle, int count) {
 
 }  // namespace
 
-std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, const MeasuredDimension& measured,
-                                              const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
-  std::vector<DimensionPlacement> placements;
+std::vector<ItemPlacement> placements_of(const MeasuredCircle& circle, const MeasuredDimension& measured,
+                                         const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
+  std::vector<ItemPlacement> placements;
   if (circle.is_label) add_labels(placements, circle, measured.text, style);
   const DrawnParts drawn_parts(drawing, circle);
   for (const double angle : drawn_parts.among(angles_of(circle, leader_directions))) {
@@ -135,11 +135,11 @@ std::vector<DimensionPlacement> placements_of(const MeasuredCircle& circle, cons
   return placements;
 }
 
-std::vector<DimensionPlacement> placements_in_crowd(const MeasuredCircle& circle, const MeasuredDimension& measured,
-                                                    const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
+std::vector<ItemPlacement> placements_in_crowd(const MeasuredCircle& circle, const MeasuredDimension& measured,
+                                               const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
   constexpr int more_directions = 3, more_lengths = 2;  // times
   check(circle.radius >= 0 && circle.sweep != 0, "an arc has a length");
-  std::vector<DimensionPlacement> placements;
+  std::vector<ItemPlacement> placements;
   if (measured.offset || circle.is_label) return placements;
   for (const double angle : DrawnParts(drawing, circle).among(angles_of(circle, more_directions * leader_directions))) {
     const Vec2 direction = turned_to(angle);

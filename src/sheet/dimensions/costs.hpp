@@ -9,7 +9,7 @@ namespace epura::sheet {
 
 // Of what is around a dimension.
 inline constexpr double cost_of_zone = 1000;   ///< two dimensions at the same position, or one inside another view
-inline constexpr double cost_of_text = 300;    ///< a line through a text
+inline constexpr double cost_of_text = 300;    ///< a line through a text, or a leader along a dimension line
 inline constexpr double cost_of_letter = 100;  ///< a line that is interrupted at a letter or too near to a parallel
                                                ///< one, a leader through another
 inline constexpr double cost_of_other = 20;    ///< a line through something else on the sheet, a leader along a line,
@@ -30,6 +30,11 @@ inline constexpr double cost_of_shift = 0.1;       ///< a millimetre along a row
 inline constexpr double cost_of_beside = 1;        ///< a text beside its length
 inline constexpr double cost_of_leader = 2;        ///< a text on a leader to its dimension line
 inline constexpr double cost_of_farther = 0.05;    ///< a millimetre of either
+
+// Of notes, symbols and balloons.
+inline constexpr double cost_of_way = 0.5;   ///< a millimetre of a leader
+inline constexpr double cost_in_view = 30;   ///< inside the view
+inline constexpr double cost_of_slant = 20;  ///< a leader of a symbol along the line at which it ends
 
 // Of circles and angles.
 inline constexpr double cost_of_length = 0.1;       ///< a millimetre of a leader, or of the radius of an arc

@@ -10,6 +10,7 @@
 
 #include "base/progress.hpp"
 #include "dimensions/conflicts.hpp"
+#include "dimensions/place_items.hpp"
 #include "drawing/view_drawing.hpp"
 #include "scene/description.hpp"
 #include "sheet/marks.hpp"
@@ -17,6 +18,13 @@
 #include "world/world.hpp"
 
 namespace epura::sheet {
+
+/// Something else that stands at a view, and is placed with its dimensions.
+struct ItemBeside {
+  PlacementItem item;
+  std::string name;         ///< for messages
+  std::string dimension{};  ///< name of the one at which it stands; empty: none
+};
 
 /// A view in its final position, and the dimensions of it.
 struct DimensionedView {
@@ -27,6 +35,7 @@ struct DimensionedView {
   bool lacks_lines = false;  ///< since time was over
   /// By dimension, if there are any: circles of equal features, at which it may stand instead: "4× ⌀8".
   std::span<const std::vector<scene::FeatureCircle>> equal{};
+  std::span<const ItemBeside> beside{};
 };
 
 /// The dimensions of a view on paper.
@@ -43,6 +52,7 @@ struct PlacedLayer {
   std::vector<std::string> crossings{};  ///< a sentence for each dimension that something crosses
   /// Ends of the dimension lines that have a name; arrows are numbers of areas of the layer.
   std::map<std::string, std::vector<DimensionEnd>> ends{};
+  PlacedDimensions beside{};  ///< what is placed with them
 
   /// Numbers of those of `wanted` dimensions that are not drawn: unseen, without room, or without time.
   [[nodiscard]] std::vector<std::size_t> undrawn(std::size_t wanted) const {
@@ -56,8 +66,9 @@ struct PlacedLayer {
 /// Layer "VIEW/dimensions" of a drawing in its final position: narrow lines, filled arrows, and texts. Values are the
 /// true measures in the world. Dimensions are outside the outline, small ones inside large ones, and avoid each other
 /// and their neighbours as far as possible; an offset is obeyed. Dimensions for which there is no
-/// time are omitted. Of those that were found, circles that the view does not show are left out, and then as many as it
-/// takes that no text is on anything else, no line is in another view and none is beyond the sheet. Throws
+/// time are omitted. Of those that were found, circles that the view does not show are left out, and of these and of
+/// what is required as many as it takes that no text is on anything else, no line is in another view and none is beyond
+/// the sheet. Throws
 /// Error{input}: see sizes/anchors.hpp and measure.hpp; also for characters missing from the font.
 PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& style,
                              const Neighbours& neighbours = {}, const Progress& progress = {});

@@ -9,8 +9,8 @@
 #include "dimensions/costs.hpp"
 #include "dimensions/forms.hpp"
 #include "dimensions/length_reach.hpp"
+#include "dimensions/obstacles.hpp"
 #include "dimensions/straight.hpp"
-#include "dimensions/surroundings.hpp"
 #include "drawing/drawing.hpp"
 
 namespace epura::sheet {
@@ -139,7 +139,7 @@ LineRun run_at(const Vec2& point, const Vec2& along, const drawing::ViewDrawing&
 }
 
 // A diameter on the part itself, where lines of its outline stand for extension lines.
-void add_on_part(std::vector<DimensionPlacement>& placements, const MeasuredLength& length, const DimensionText& text,
+void add_on_part(std::vector<ItemPlacement>& placements, const MeasuredLength& length, const DimensionText& text,
                  const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
   const LineRun one = run_at(length.from, length.extension, drawing),
                 other = run_at(length.to, length.extension, drawing);
@@ -168,10 +168,10 @@ void add_on_part(std::vector<DimensionPlacement>& placements, const MeasuredLeng
 
 }  // namespace
 
-std::vector<DimensionPlacement> placements_of(const MeasuredLength& length, const MeasuredDimension& measured,
-                                              const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
+std::vector<ItemPlacement> placements_of(const MeasuredLength& length, const MeasuredDimension& measured,
+                                         const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
   const double upwards = sign_of_offset(left_of(length.along));
-  std::vector<DimensionPlacement> placements;
+  std::vector<ItemPlacement> placements;
   const int places = fits_inside(length, measured.text, style) ? text_places : 2;
   const auto add_at = [&](const MeasuredLength& ends, double distance, double cost) {
     for (int place = 0; place < places; ++place)
@@ -208,10 +208,10 @@ bool is_on_own_line(const PlacedDimension& dimension) {
 
 }  // namespace
 
-std::vector<DimensionPlacement> placements_in_crowd(const MeasuredLength& length, const MeasuredDimension& measured,
-                                                    const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
+std::vector<ItemPlacement> placements_in_crowd(const MeasuredLength& length, const MeasuredDimension& measured,
+                                               const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
   constexpr int max_of_leader = 8;  // steps
-  std::vector<DimensionPlacement> placements;
+  std::vector<ItemPlacement> placements;
   if (measured.offset) return placements;
   for (const Side& side : sides_of(length, drawing)) {
     const Vec2 out = side.sign * left_of(length.along);
@@ -227,7 +227,7 @@ std::vector<DimensionPlacement> placements_in_crowd(const MeasuredLength& length
         for (const double slope : {1.0, 2.0}) {
           const Vec2 direction = glm::normalize(towards * length.along + slope * out);
           for (int i = 1; i <= max_of_leader; ++i) {
-            DimensionPlacement placement{
+            ItemPlacement placement{
                 straight_dimension_with_leader(side.ends, measured.text, distance, step_beside * i * direction, style),
                 cost + cost_of_leader + cost_of_farther * step_beside * i};
             if (!is_on_own_line(placement.dimension)) placements.push_back(std::move(placement));

@@ -343,11 +343,11 @@ std::vector<MeasuredRow> on_two_sides(const MeasuredRow& row, const DimensionSty
   return {part_of(row, below, false), part_of(row, above, true)};
 }
 
-std::vector<DimensionPlacement> placements_of(const MeasuredRow& row, const MeasuredDimension& measured,
-                                              const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
+std::vector<ItemPlacement> placements_of(const MeasuredRow& row, const MeasuredDimension& measured,
+                                         const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
   const Vec2 across = left_of(row.along);
   const double upwards = sign_of_offset(across);
-  std::vector<DimensionPlacement> placements;
+  std::vector<ItemPlacement> placements;
   // From the first place to the farthest one on this side.
   const auto reach_of_ends = [&](const std::vector<Vec2>& places, double side) {
     double reach = 0;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "dimensions/measure.hpp"
-#include "dimensions/surroundings.hpp"
+#include "dimensions/obstacles.hpp"
 #include "drawing/drawing.hpp"
 
 namespace epura::sheet {

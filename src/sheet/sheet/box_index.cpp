@@ -85,6 +85,16 @@ int BoxIndex::overlaps(const TurnedBox& box, double most) const {
   return count;
 }
 
+int BoxIndex::along(const TurnedBox& line) const {
+  int count = 0;
+  visit_near(line, [&](const Entry& entry) {
+    count += look_parallel(line, entry.box) && overlap(entry.box, line) ? entry.count : 0;
+    return true;
+  });
+  check(count >= 0, "boxes are counted");
+  return count;
+}
+
 BoxIndex::LinesBeside BoxIndex::beside(const TurnedBox& line, double same, double apart) const {
   TurnedBox wide = line;
   wide.half.y = apart;

@@ -27,6 +27,11 @@ class BoxIndex {
   /// How many of them share more than their borders with the box; counted no further once they are more than `most`.
   [[nodiscard]] int overlaps(const TurnedBox& box, double most = HUGE_VAL) const;
 
+  [[nodiscard]] bool meets(const TurnedBox& box) const { return overlaps(box, 0) > 0; }
+
+  /// How many of them a line runs through that look parallel to it.
+  [[nodiscard]] int along(const TurnedBox& line) const;
+
   /// How many lines run beside this one, in part, parallel to it and less than `apart` mm off; those less than `same`
   /// mm off are on it.
   struct LinesBeside {

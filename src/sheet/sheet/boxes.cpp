@@ -55,9 +55,11 @@ TurnedBox box_of(const Text& text, const Lettering& lettering) {
 
 std::vector<TurnedBox> boxes_of(const Layer& layer, const Lettering& lettering) {
   std::vector<TurnedBox> boxes;
-  for (const Stroke& stroke : layer.strokes)
-    for (std::size_t i = 1; i < stroke.points.size(); ++i)
-      boxes.push_back(line_box(stroke.points[i - 1], stroke.points[i]));
+  for (const Stroke& stroke : layer.strokes) {
+    const std::size_t count = stroke.points.size();
+    for (std::size_t i = stroke.closed ? 0 : 1; i < count; ++i)
+      boxes.push_back(line_box(stroke.points[(i + count - 1) % count], stroke.points[i]));
+  }
   for (const Fill& fill : layer.fills)
     for (const std::vector<Vec2>& ring : fill.rings) {
       Rectangle box{ring.front(), ring.front()};

@@ -47,6 +47,15 @@ class Callouts : public testing::Test {
     callout.target = {point, LeaderEnd::dot};
     return callout;
   }
+  // In a view without dimensions.
+  sheet::PlacedLayer place(const std::vector<sheet::Callout>& callouts) {
+    const world::World nothing{};
+    const std::vector<sheet::ItemBeside> items = sheet::callout_items(callouts, view, style);
+    sheet::PlacedLayer placed = sheet::place_dimensions({nothing, view, {}, 0, false, {}, items}, style, around);
+    without_place = sheet::draw_callouts(layers, callouts, placed, style).without_place;
+    return placed;
+  }
+  std::vector<std::size_t> without_place{};
   sheet::Rectangle box_of(const sheet::Text& text) const { return sheet::around(sheet::box_of(text, lettering)); }
 };
 
@@ -54,8 +63,8 @@ TEST_F(Callouts, StandOutsideTheViewClearOfEverything) {
   std::vector<sheet::Callout> notes;
   for (int i = 0; i < 6; ++i)
     notes.push_back(note("NOTE " + std::to_string(i), {110.0 + 20 * (i % 3), 95.0 + 15 * (i / 3)}));
-  const sheet::CalloutFaults faults = sheet::place_callouts(layers, notes, view, style, around);
-  EXPECT_TRUE(faults.without_place.empty());
+  place(notes);
+  EXPECT_TRUE(without_place.empty());
   ASSERT_EQ(layer.texts.size(), 6U);
   ASSERT_EQ(layer.strokes.size(), 6U);
   for (std::size_t i = 0; i < 6; ++i) {
@@ -83,7 +92,8 @@ TEST_F(Callouts, AreLeftOutWhereThereIsNoPlace) {
   around.paper = box;
   around.boxes = {sheet::turned_box(box)};
   const std::vector<sheet::Callout> notes{note("NOTE", {140, 100})};
-  EXPECT_EQ(sheet::place_callouts(layers, notes, view, style, around).without_place, std::vector<std::size_t>{0});
+  place(notes);
+  EXPECT_EQ(without_place, std::vector<std::size_t>{0});
   EXPECT_TRUE(layer.texts.empty());
   EXPECT_TRUE(layer.strokes.empty());
 }
@@ -92,8 +102,7 @@ TEST_F(Callouts, StandWhereTheyAreToldAndTellWhatTheyCross) {
   std::vector<sheet::Callout> notes{note("FREE", {140, 100}), note("ON A LINE", {120, 100})};
   notes[0].at = Vec2(200, 160);
   notes[1].at = Vec2(90, 90);
-  const sheet::CalloutFaults faults = sheet::place_callouts(layers, notes, view, style, around);
-  EXPECT_EQ(faults.crossings, std::vector<std::string>{"ON A LINE"});
+  EXPECT_EQ(place(notes).crossings, std::vector<std::string>{"'ON A LINE' and lines of the view"});
   ASSERT_EQ(layer.texts.size(), 2U);
   EXPECT_DOUBLE_EQ(box_of(layer.texts[0]).max.y, 160);
   EXPECT_DOUBLE_EQ(layer.strokes[0].points[1].x, 200) << "its leader begins at the nearer end";
@@ -103,7 +112,7 @@ TEST_F(Callouts, EndWithADotAnArrowOrNothing) {
   std::vector<sheet::Callout> notes{note("A", {140, 100}), note("B", {180, 100}), note("C", {150, 90})};
   notes[1].target->end = LeaderEnd::arrow;
   notes[2].target->end = LeaderEnd::none;
-  sheet::place_callouts(layers, notes, view, style, around);
+  place(notes);
   ASSERT_EQ(layer.fills.size(), 2U);
   const auto radius = [&](const Vec2& p) { return glm::length(p - Vec2(140, 100)); };
   for (const Vec2& p : layer.fills[0].rings[0]) EXPECT_NEAR(radius(p), 0.625, 1e-9);
@@ -117,7 +126,7 @@ TEST_F(Callouts, ReachFramesPerpendicularToTheLine) {
   scene::ToleranceFrame frame{Characteristic::position, {{"⌀0.1"}, {"M", true}}, {{{"A"}}}};
   std::vector<sheet::Callout> callouts{sheet::tolerance_frame(frame, style)};
   callouts[0].target = right_side(100);
-  sheet::place_callouts(layers, callouts, view, style, around);
+  place(callouts);
   ASSERT_EQ(layer.strokes.size(), 1U);
   ASSERT_EQ(layer.strokes[0].points.size(), 2U) << "straight";
   EXPECT_NEAR(layer.strokes[0].points[1].y, 100, 1e-9);
@@ -135,12 +144,12 @@ TEST_F(Callouts, EndAtAnotherPointWhereThatIsBetter) {
   std::vector<sheet::Callout> callouts{sheet::tolerance_frame(frame, style)};
   callouts[0].target = right_side(100);
   around.boxes.push_back(sheet::turned_box({{182, 60}, {287, 160}}));
-  sheet::place_callouts(layers, callouts, view, style, around);
+  place(callouts);
   ASSERT_EQ(layer.strokes.size(), 1U);
   EXPECT_EQ(layer.strokes[0].points[0], Vec2(180, 100));
   layers = sheet::callout_layers("front", style);
   callouts[0].others = {{{100, 100}, LeaderEnd::arrow, Vec2(-1, 0), true}};
-  sheet::place_callouts(layers, callouts, view, style, around);
+  place(callouts);
   ASSERT_EQ(layer.strokes.size(), 1U);
   EXPECT_EQ(layer.strokes[0].points[0], Vec2(100, 100));
   EXPECT_LT(layer.strokes[0].points[1].x, 100);
@@ -155,7 +164,7 @@ TEST_F(Callouts, KeepLeadersClearOfParallelLines) {
     callouts[0].others = {right_side(110)};
     around.boxes = {sheet::line_box({181, 100 + beside}, {186, 100 + beside})};
     layers = sheet::callout_layers("front", style);
-    sheet::place_callouts(layers, callouts, view, style, around);
+    place(callouts);
     ASSERT_EQ(layer.strokes.size(), 1U);
     EXPECT_EQ(layer.strokes[0].points[0], Vec2(180, 110)) << beside;
   }
@@ -164,7 +173,7 @@ TEST_F(Callouts, KeepLeadersClearOfParallelLines) {
 TEST_F(Callouts, StandDatumsOnTheirLines) {
   std::vector<sheet::Callout> callouts{sheet::datum_frame({"A"}, style)};
   callouts[0].target = right_side(100);
-  sheet::place_callouts(layers, callouts, view, style, around);
+  place(callouts);
   ASSERT_EQ(layer.fills.size(), 1U);
   std::vector<Vec2> triangle = layer.fills[0].rings[0];
   ASSERT_EQ(triangle.size(), 3U);
@@ -175,7 +184,7 @@ TEST_F(Callouts, StandDatumsOnTheirLines) {
   EXPECT_NEAR(triangle[2].y, 100, 1e-9);
   callouts[0].at = Vec2(200, 170);
   callouts[0].target = {{140, 130}, LeaderEnd::arrow, Vec2(0, 1), true};
-  sheet::place_callouts(layers, callouts, view, style, around);
+  place(callouts);
   triangle = layer.fills[1].rings[0];
   EXPECT_NEAR(triangle[2].x, 140, 1e-9) << "it stands upright, wherever its frame is";
 }
@@ -185,7 +194,8 @@ TEST_F(Callouts, BendLeadersOfDatumsPastLettering) {
   around.boxes.push_back(sheet::turned_box(text));
   std::vector<sheet::Callout> callouts{sheet::datum_frame({"A"}, style)};
   callouts[0].target = right_side(100);
-  EXPECT_TRUE(sheet::place_callouts(layers, callouts, view, style, around).without_place.empty());
+  place(callouts);
+  EXPECT_TRUE(without_place.empty());
   ASSERT_EQ(layer.strokes.size(), 1U);
   const std::vector<Vec2>& leader = layer.strokes[0].points;
   ASSERT_EQ(leader.size(), 4U);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "dimensions/conflicts.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <vector>
 
 #include "dimensions/costs.hpp"
+#include "dimensions/obstacles.hpp"
 #include "sheet/boxes.hpp"
 
 namespace epura::test::conflicts_test {
@@ -22,7 +21,7 @@ TEST(Conflicts, OfDimensionsInACrowdOnlySomeOthersAreNamed) {
   const sheet::PlacedDimensions placed(count, one);
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < count; ++i) texts.push_back(std::to_string(i));
-  const std::vector<std::string> named = sheet::crossings_of(placed, texts, {}, {});
+  const std::vector<std::string> named = sheet::crossings_of(placed, texts, {drawing::ViewDrawing(), {}});
   std::size_t expected = 0;
   for (std::size_t i = 0; i < count; ++i) expected += std::min(count - 1 - i, sheet::max_in_crowd + 1);
   EXPECT_EQ(named.size(), expected);

@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "dimensions/forms.hpp"
+#include "dimensions/obstacles.hpp"
 #include "dimensions/straight.hpp"
-#include "dimensions/surroundings.hpp"
 #include "dimensions_support.hpp"
 
 namespace epura::test::dimension_clearance_test {
@@ -154,7 +154,7 @@ TEST(DimensionClearance, TextsOnLeadersAreBesideTheirOwnLines) {
     one.anchors = {Vec3(20, 0, 10), Vec3(20 + size * std::cos(angle), 0, 10 + size * std::sin(angle))};
     const sheet::MeasuredDimension measured =
         sheet::measure(front, sheet::find_anchors(world, {&one, 1})[0], style.notation);
-    for (const sheet::DimensionPlacement& place :
+    for (const sheet::ItemPlacement& place :
          sheet::placements_in_crowd(std::get<sheet::MeasuredLength>(measured.form), measured, front, style)) {
       if (place.dimension.leaders.empty()) continue;
       ++count;

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "dimensions/surroundings.hpp"
+#include "dimensions/obstacles.hpp"
 #include "dimensions_support.hpp"
 #include "errors.hpp"
 #include "sheet/box_index.hpp"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <random>
 
-#include "dimensions/surroundings.hpp"
+#include "dimensions/obstacles.hpp"
 #include "drawing/drawing.hpp"
 
 namespace epura::ink_index_test {
