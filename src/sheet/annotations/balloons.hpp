@@ -34,7 +34,7 @@ double balloon_radius(double dimension_text);
 double balloon_room(double dimension_text);
 
 /// Places balloons around a view, in rows and columns where possible, or beside what they number: their circles overlap
-/// nothing, leaders do not cross each other, and cross dimensions and lettering only if there is no other way. All
+/// nothing, leaders cross each other, dimensions and lettering only if there is no other way. All
 /// targets are points of the view, or none is. Adds them to the layer; returns the numbers of those for which there is
 /// no place.
 std::vector<std::string> place_balloons(Layer& layer, std::span<const BalloonTarget> targets,
