@@ -12,6 +12,7 @@
 #include "annotations/cutting_plane_line.hpp"
 #include "annotations/hatch.hpp"
 #include "annotations/limit_lines.hpp"
+#include "annotations/view_labels.hpp"
 #include "composition/annotation_layers.hpp"
 #include "composition/centre_layers.hpp"
 #include "composition/detail_layers.hpp"

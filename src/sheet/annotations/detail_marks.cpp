@@ -11,7 +11,8 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
-#include "sheet/box_index.hpp"
+#include "dimensions/costs.hpp"
+#include "dimensions/place_items.hpp"
 #include "sheet/furniture.hpp"
 
 namespace epura::sheet {
@@ -34,78 +35,46 @@ double reach_of(const drawing::Boundary& boundary, const Vec2& direction) {
   return reach;
 }
 
-/// What letters must not touch. All details share it: each may try some hundred places.
-class LetterObstacles {
- public:
-  LetterObstacles(const LetterRoom& room, std::span<const Stroke> boundaries, const Lettering& lettering)
-      : area_(room.area) {
-    for (const Layer& layer : room.drawn) {
-      for (const Stroke& stroke : layer.strokes) add(stroke);
-      Layer rest;
-      rest.fills = layer.fills;
-      rest.texts = layer.texts;
-      add(boxes_of(rest, lettering));
-    }
-    for (const Stroke& boundary : boundaries) add(boundary);
-    add(room.reserved);
-  }
-
-  void add(std::span<const TurnedBox> boxes) {
-    boxes_.add(boxes);
-    count_ += static_cast<int>(boxes.size());
-  }
-
-  /// How many obstacles a letter would touch, counted no further once they are more than `most`; being outside the
-  /// area counts most.
-  [[nodiscard]] int touched_by(const TurnedBox& letter, double most = HUGE_VAL) const {
-    const int outside = area_.holds(around(letter)) ? 0 : count_ + 1;
-    TurnedBox wide = letter;
-    wide.half += gap;
-    return outside + (outside <= most ? boxes_.overlaps(wide, most - outside) : 0);
-  }
-
- private:
-  void add(const Stroke& stroke) {
-    std::vector<TurnedBox> lines;
-    const std::size_t count = stroke.points.size();
-    for (std::size_t i = stroke.closed ? 0 : 1; i < count; ++i)
-      lines.push_back(line_box(stroke.points[(i + count - 1) % count], stroke.points[i]));
-    add(lines);
-  }
-
-  Rectangle area_;
-  BoxIndex boxes_{};
-  int count_ = 0;
-};
-
-struct LetterPlace {
-  Vec2 from;      ///< the boundary, where a leader begins
-  double leader;  ///< its length, mm; 0: none
-  TurnedBox letter;
-};
-
-LetterPlace place_at(const drawing::Boundary& boundary, int degrees, double leader, const Vec2& half) {
-  const double angle = degrees * std::numbers::pi / 180;
-  const Vec2 direction(portable_cos(angle), portable_sin(angle));
-  const Vec2 from = boundary.centre + reach_of(boundary, direction) * direction;
-  const double to_middle = std::abs(direction.x) * half.x + std::abs(direction.y) * half.y + gap;
-  return {from, leader, {from + (leader + to_middle) * direction, {1, 0}, half}};
+// What letters must not touch.
+Neighbours around_letters(const LetterRoom& room, std::span<const Stroke> boundaries, const Lettering& lettering) {
+  Neighbours around;
+  around.paper = room.area;
+  around.boxes = room.reserved;
+  const auto add = [&](const std::vector<TurnedBox>& boxes) {
+    around.boxes.insert(around.boxes.end(), boxes.begin(), boxes.end());
+  };
+  for (const Layer& layer : room.drawn) add(boxes_of(layer, lettering));
+  Layer lines;
+  lines.strokes.assign(boundaries.begin(), boundaries.end());
+  add(boxes_of(lines, lettering));
+  return around;
 }
 
-// The nearest free place, or the one that touches least.
-LetterPlace best_place(const drawing::Boundary& boundary, const Vec2& half, const LetterObstacles& obstacles) {
-  LetterPlace best = place_at(boundary, letter_directions[0], 0, half);
-  int touched = obstacles.touched_by(best.letter);
-  for (double leader = 0; touched > 0 && leader <= longest_leader; leader += detail_leader_step)
-    for (const int degrees : letter_directions) {
-      const LetterPlace place = place_at(boundary, degrees, leader, half);
-      const int here = obstacles.touched_by(place.letter, touched);
-      if (here < touched) {
-        best = place;
-        touched = here;
-      }
-    }
-  return best;
+// Beside the boundary, or at the end of a leader, which may cross what it likes.
+PlacedDimension letter_at(const drawing::Boundary& boundary, int degrees, double leader, const Vec2& half) {
+  const Vec2 direction = turned_to(degrees * std::numbers::pi / 180);
+  const Vec2 from = boundary.centre + reach_of(boundary, direction) * direction;
+  const double to_middle = std::abs(direction.x) * half.x + std::abs(direction.y) * half.y + gap;
+  PlacedDimension letter;
+  letter.zones = {{from + (leader + to_middle) * direction, {1, 0}, half + gap}};
+  letter.text_boxes = letter.zones;
+  if (leader > 0) letter.strokes.push_back(line(from, from + leader * direction));
+  return letter;
+}
+
+// The nearest places first, in the preferred directions.
+PlacementItem letter_item(const drawing::Boundary& boundary, const Vec2& half) {
+  constexpr double later_direction = 0.05;
+  PlacementItem item;
+  item.usual = [=](const PlacedDimension*) {
+    std::vector<ItemPlacement> placements;
+    for (double leader = 0; leader <= longest_leader; leader += detail_leader_step)
+      for (std::size_t i = 0; i < letter_directions.size(); ++i)
+        placements.push_back({letter_at(boundary, letter_directions[i], leader, half),
+                              cost_of_way * leader + later_direction * static_cast<double>(i)});
+    return placements;
+  };
+  return item;
 }
 
 }  // namespace
@@ -129,16 +98,15 @@ Layer detail_marks(const std::string& view, std::span<const DetailMark> marks, c
   const double height = letter_widths * widths.narrow;
   std::vector<Stroke> boundaries;
   for (const DetailMark& mark : marks) boundaries.push_back(boundary_line(mark.boundary));
-  LetterObstacles obstacles(room, boundaries, lettering);
-  for (const DetailMark& mark : marks) {
-    const Vec2 half = Vec2(lettering.width(mark.name, height), height) / 2.0;
-    const LetterPlace place = best_place(mark.boundary, half, obstacles);
-    if (place.leader > 0) {
-      const Vec2 direction = glm::normalize(place.letter.centre - place.from);
-      layer.strokes.push_back(line(place.from, place.from + place.leader * direction));
-    }
-    layer.texts.push_back({mark.name, place.letter.centre - Vec2(0, height / 2), height, 0, Align::middle, "detail"});
-    obstacles.add({&place.letter, 1});
+  std::vector<PlacementItem> items;
+  for (const DetailMark& mark : marks)
+    items.push_back(letter_item(mark.boundary, Vec2(lettering.width(mark.name, height), height) / 2.0));
+  const PlacedDimensions letters =
+      place_items(items, {drawing::ViewDrawing(), around_letters(room, boundaries, lettering)});
+  for (std::size_t i = 0; i < marks.size(); ++i) {
+    append(layer.strokes, letters[i]->strokes);
+    const Vec2 base = letters[i]->zones.front().centre - Vec2(0, height / 2);
+    layer.texts.push_back({marks[i].name, base, height, 0, Align::middle, "detail"});
   }
   append(layer.strokes, std::move(boundaries));
   check(layer.texts.size() == marks.size() && layer.strokes.size() <= 2 * marks.size(),
