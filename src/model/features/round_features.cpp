@@ -142,7 +142,31 @@ bool are_side_by_side(const RoundFace& a, const RoundFace& b) {
   return turn / degree > std::max(a.face.sweep, b.face.sweep) / 2;
 }
 
-// Of cylinders that are no shafts or bores, the faces that stand for all of one cylinder: a groove may part it.
+// Whether what parts two faces of one cylinder along its axis is a groove: it is not longer than the shorter one.
+bool are_parted_by_groove(const RoundFace& a, const RoundFace& b) {
+  const auto reach_of = [&a](const RoundFace& one) {
+    const auto along = [&](double height) { return glm::dot(one.at(height) - a.at(0), a.face.surface.axis); };
+    return std::minmax({along(one.from), along(one.to)});
+  };
+  const auto [low, high] = reach_of(a);
+  const auto [other_low, other_high] = reach_of(b);
+  const double apart = std::max(low, other_low) - std::min(high, other_high);
+  return apart <= (1 + same_size) * std::min(high - low, other_high - other_low);
+}
+
+// The faces of one cylinder that are one arc with a face.
+std::vector<std::size_t> parts_of_arc(const RoundFaces& of, std::size_t first, const std::vector<char>& done) {
+  std::vector<std::size_t> parts{first};
+  for (std::size_t known = 0; known < parts.size(); ++known)
+    for (std::size_t j = first + 1; j < of.faces.size(); ++j)
+      if (done[j] == 0 && std::find(parts.begin(), parts.end(), j) == parts.end() &&
+          are_one_turn(of.faces[first], of.faces[j]) && are_parted_by_groove(of.faces[parts[known]], of.faces[j]))
+        parts.push_back(j);
+  std::sort(parts.begin(), parts.end());
+  return parts;
+}
+
+// Of cylinders that are no shafts or bores, the faces that stand for all of one arc: a groove may part it.
 std::vector<std::size_t> firsts_of_arcs(const RoundFaces& of) {
   std::vector<char> done(of.faces.size(), 0);
   for (const InterruptedFace& one : find_interrupted(of.faces, SurfaceKind::cylinder))
@@ -150,9 +174,7 @@ std::vector<std::size_t> firsts_of_arcs(const RoundFaces& of) {
   std::vector<std::size_t> firsts;
   for (std::size_t i = 0; i < of.faces.size(); ++i) {
     if (of.faces[i].face.surface.kind != SurfaceKind::cylinder || done[i] != 0) continue;
-    std::vector<std::size_t> parts;
-    for (std::size_t j = i; j < of.faces.size(); ++j)
-      if (j == i || (done[j] == 0 && are_one_turn(of.faces[i], of.faces[j]))) parts.push_back(j);
+    std::vector<std::size_t> parts = parts_of_arc(of, i, done);
     std::stable_sort(parts.begin(), parts.end(),
                      [&](std::size_t a, std::size_t b) { return of.faces[a].face.sweep > of.faces[b].face.sweep; });
     double sweep = 0;
