@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/error.hpp"
+#include "features/assembly_features.hpp"
 #include "scene/body_styles.hpp"
 #include "scene/details.hpp"
 #include "world/expect_usable.hpp"
@@ -62,8 +64,30 @@ SectionSurfaces ShownWorlds::surfaces() const {
   return surfaces;
 }
 
+namespace {
+
+// Automatic dimensions give the places of parts, which are nowhere in views that are all exploded.
+void expect_places_of_parts(const SheetOfViews& views, const scene::SceneDescription& scene) {
+  for (const scene::DimensionDescription& one : scene.dimensions) {
+    if (one.type.value != DimensionType::automatic) continue;
+    const auto is_its = [&one](const scene::ViewDescription& view) {
+      return one.view.value_or(*view.name) == *view.name;
+    };
+    const auto is_whole = [&](const scene::ViewDescription& view) {
+      return is_its(view) && moves_in(view, scene).empty();
+    };
+    if (std::ranges::any_of(views.descriptions, is_its) && std::ranges::none_of(views.descriptions, is_whole))
+      throw Error(ErrorKind::input, one.where,
+                  "its views are exploded, where distances between parts are not those of the assembly",
+                  "dimension a view of the whole assembly, or only overall sizes");
+  }
+}
+
+}  // namespace
+
 void choose_by_world(SheetOfViews& views, const scene::SceneDescription& scene, const ShownWorlds& worlds,
                      std::span<const view::ProjectedScene> seen) {
+  if (features::is_assembly(worlds.main())) expect_places_of_parts(views, scene);
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const scene::ViewDescription& view = views.descriptions[i];
     const ShownWorld& shown = worlds.of(view);

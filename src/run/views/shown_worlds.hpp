@@ -51,7 +51,8 @@ class ShownWorlds {
   std::map<std::string, std::size_t> world_of_view_;
 };
 
-/// Of each view, what depends on the models that it shows: steps of sections, revolved sections, styles.
+/// Of each view, what depends on the models that it shows: steps of sections, revolved sections, styles. Throws
+/// Error{input} for automatic dimensions of an assembly whose views are all exploded.
 void choose_by_world(SheetOfViews& views, const scene::SceneDescription& scene, const ShownWorlds& worlds,
                      std::span<const view::ProjectedScene> seen);
 

@@ -132,6 +132,18 @@ TEST_F(Exploded, ThatMakesNoSenseIsRefused) {
       "view 'top' is exploded and has no dimensions");
 }
 
+// Distances between bodies that are moved apart are not those of the assembly.
+TEST_F(Exploded, HasNoAutomaticDimensions) {
+  folder.file("a.obj", box("base", 0, 0, 0, 1) + box("lid", 5, 2, 10, 9));
+  const std::string model = "[[model]]\nfile = 'a.obj'\n", automatic = "[[dimension]]\ntype = 'auto'\n";
+  const std::string moved = "[[explode]]\nmatch = 'lid'\nmove = [0, 0, 25]\n";
+  const Outcome all = draw(model + views + moved + automatic, "a");
+  EXPECT_EQ(all.code, 2);
+  EXPECT_TRUE(contains(all.err, "distances between parts are not those of the assembly")) << all.err;
+  const Outcome one = draw(model + views + moved + "view = 'isometric'\n" + automatic, "a");
+  EXPECT_EQ(one.code, 0) << one.err;
+}
+
 // Bodies without names have those of the parts list in patterns.
 TEST_F(Exploded, BodiesAreKnownByTheNamesOfThePartsList) {
   const std::string bodies = box("", 0, 0, 0, 1) +
