@@ -74,6 +74,11 @@ void set_text_at(PlacedDimension& dimension, const DimensionText& text, const Di
   set_text(dimension, text, {arc.corner + arc.radius * spoke, read, rise}, style);
 }
 
+// From a leg to the middle of a text past it, radians.
+double lead_of(const DimensionText& text, double radius, const DimensionStyle& style) {
+  return std::min((style.arrow() + style.above() + style.width(text) / 2) / radius, farthest_past);
+}
+
 // Adds an arc with arrows and text; `place`: the text is at its middle (0), past its end (1) or its beginning (-1), or
 // in the middle of its last half (2) or its first (-2).
 void add_dimension_arc(PlacedDimension& dimension, const Sector& sector, const DimensionText& text, double radius,
@@ -82,9 +87,8 @@ void add_dimension_arc(PlacedDimension& dimension, const Sector& sector, const D
   check(radius >= 0, "the arc of an angle has a radius");
   const double turn = sweep < 0 ? -1 : 1;
   const bool outward = radius * std::abs(sweep) >= arrows_inside * style.arrow();
-  const auto angle_of = [&](double length) { return std::min(length / radius, farthest_past) * turn; };
-  const double tail = outward ? 0 : angle_of(2 * style.arrow());
-  const double lead = angle_of(style.arrow() + style.above() + style.width(text) / 2);
+  const double tail = outward ? 0 : std::min(2 * style.arrow() / radius, farthest_past) * turn;
+  const double lead = lead_of(text, radius, style) * turn;
   const double middle = place == 1    ? first + sweep + lead
                         : place == -1 ? first - lead
                                       : first + sweep / 2 + place * sweep / 8;
@@ -164,13 +168,19 @@ std::array<double, 2> radii_of_part(const MeasuredAngle& angle, const drawing::V
   return radii;
 }
 
-}  // namespace
-
-std::vector<ItemPlacement> placements_of(const MeasuredAngle& angle, const MeasuredDimension& measured,
-                                         const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
-  std::vector<ItemPlacement> placements;
+// At one corner.
+void add_at_corner(std::vector<ItemPlacement>& placements, const MeasuredAngle& angle,
+                   const MeasuredDimension& measured, const drawing::ViewDrawing& drawing,
+                   const DimensionStyle& style) {
   const double sweep = std::abs(sector_of(angle).sweep);
   const std::array<double, 2> part = radii_of_part(angle, drawing);
+  check(sweep > 0, "an angle is not zero");
+  const auto cost_past = [&](int place, double radius) {
+    const auto [corner, first, turn] = sector_of(angle);
+    const double past = std::copysign(2 * lead_of(measured.text, radius, style), turn);
+    const Sector tail{corner, place == 1 ? first + turn : first - past, past};
+    return cost_of_crossing * lines_across(drawing, tail, radius);
+  };
   for (int k = 0; k < (measured.offset ? 1 : radii); ++k) {
     const double offset = measured.offset ? std::abs(*measured.offset) : 0;
     if (angle.arc) {
@@ -196,11 +206,25 @@ std::vector<ItemPlacement> placements_of(const MeasuredAngle& angle, const Measu
     for (const int place : {0, 1, -1, 2, -2}) {
       const bool is_aside = std::abs(place) == 2;
       if (is_aside && radius * sweep / 2 <= width) continue;
-      const double crowded = place == 0 ? (room ? 0 : 2 * cost_outside) : is_aside ? cost_of_inside : cost_outside;
+      const double crowded = place == 0 ? (room ? 0 : 2 * cost_outside)
+                             : is_aside ? cost_of_inside
+                                        : cost_outside + cost_of_length * width + cost_past(place, radius);
       placements.push_back(
           {angular_dimension(angle, measured.text, radius, place, style), cost_of_length * radius + crowded + crossed});
     }
   }
+}
+
+}  // namespace
+
+std::vector<ItemPlacement> placements_of(const MeasuredAngle& angle, const MeasuredDimension& measured,
+                                              const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
+  std::vector<ItemPlacement> placements;
+  add_at_corner(placements, angle, measured, drawing, style);
+  const std::size_t own = placements.size();
+  if (angle.equal && !measured.offset)
+    add_at_corner(placements, {angle.equal->at, angle.equal->legs}, measured, drawing, style);
+  for (std::size_t i = own; i < placements.size(); ++i) placements[i].cost += cost_outside;
   check(placements.size() >= std::size_t{3} * (measured.offset ? 1 : radii), "each arc has places for its text");
   return placements;
 }

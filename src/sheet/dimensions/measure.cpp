@@ -207,11 +207,16 @@ MeasuredDimension angular(const AnchoredDimension& dimension, const Sight& sight
   if (degrees < 0.005)
     refuse_measure(dimension, "its legs lie on one line: the angle is zero", "choose other vertices");
   expect_shown(dimension, sight, dimension.points[0]);
-  const Vec2 unmoved = sight.whole_page(dimension.points[0]), corner = sight.page(dimension.points[0]);
-  return {
-      MeasuredAngle{corner,
-                    {sight.whole_page(dimension.points[1]) - unmoved, sight.whole_page(dimension.points[2]) - unmoved}},
-      with_text(dimension, {degrees, "", true}, sight.notation), dimension.offset};
+  const auto corner_of = [&](const std::vector<Vec3>& points) {
+    const Vec2 unmoved = sight.whole_page(points[0]);
+    return CornerOnPaper{sight.page(points[0]),
+                         {sight.whole_page(points[1]) - unmoved, sight.whole_page(points[2]) - unmoved}};
+  };
+  const CornerOnPaper own = corner_of(dimension.points);
+  MeasuredAngle measured{own.at, own.legs};
+  if (dimension.opposite.size() == 3 && !sight.drawing.shown.breaks.any())
+    measured.equal = corner_of(dimension.opposite);
+  return {measured, with_text(dimension, {degrees, "", true}, sight.notation), dimension.offset};
 }
 
 // Of a circle in a view that leaves parts out, the longest arc that is drawn.
@@ -449,10 +454,13 @@ bool ends_at(const MeasuredRow& row, const Vec2& tip) {
 
 // The extension lines of the length of an arc may be parallel to its bisector.
 bool ends_at(const MeasuredAngle& angle, const Vec2& tip) {
-  return std::any_of(angle.legs.begin(), angle.legs.end(), [&](const Vec2& leg) {
-    return is_on_line(tip, angle.corner, leg) ||
-           (angle.arc && is_on_line(tip, angle.corner + leg, angle.legs[0] + angle.legs[1]));
-  });
+  const auto is_of_equal = [&](const Vec2& leg) { return is_on_line(tip, angle.equal->at, leg); };
+  return std::any_of(angle.legs.begin(), angle.legs.end(),
+                     [&](const Vec2& leg) {
+                       return is_on_line(tip, angle.corner, leg) ||
+                              (angle.arc && is_on_line(tip, angle.corner + leg, angle.legs[0] + angle.legs[1]));
+                     }) ||
+         (angle.equal && std::ranges::any_of(angle.equal->legs, is_of_equal));
 }
 
 bool ends_at(const MeasuredCircle& circle, const Vec2& tip) {
@@ -473,6 +481,7 @@ std::vector<double> places_of(const MeasuredDimension& dimension) {
   } else if (const auto* circle = std::get_if<MeasuredCircle>(&dimension.form)) {
     add(circle->centre);
     add({circle->first, circle->sweep});
+    if (angle->equal) add(angle->equal->at);
     add({circle->radius, circle->is_radius ? 1 : 0});
     if (circle->spokes) std::ranges::for_each(*circle->spokes, add);
   }

@@ -43,11 +43,24 @@ struct MeasuredRow {
   [[nodiscard]] double size() const { return glm::dot(places.back() - places.front(), along); }
 };
 
+/// A corner, and the ends of its legs, relative to it.
+struct CornerOnPaper {
+  Vec2 at;
+  std::array<Vec2, 2> legs;
+};
+
 struct MeasuredAngle {
   Vec2 corner;
   std::array<Vec2, 2> legs;  ///< their ends, relative to the corner
   std::optional<double>
       arc{};  ///< if the length of an arc that begins at the first leg is measured: its sweep, radians
+  std::optional<CornerOnPaper> equal{};  ///< another corner with this angle, at which it may be instead
+};
+
+/// A line along a circle that a view draws: its ends from the centre, in lengths of the spokes.
+struct LineOfCircle {
+  std::array<Vec2, 2> ends;
+  bool visible;
 };
 
 /// A circle or an arc seen in true shape or, in an axonometric view, as an ellipse.

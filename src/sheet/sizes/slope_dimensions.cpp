@@ -62,6 +62,14 @@ std::array<Vec3, 3> anchors_of_angle(const BevelFeature& slope, std::size_t end,
   return {corner, corner + drawn * glm::length(side) * along, corner + side};
 }
 
+// The same at the other end of a slope between parallel faces; nothing for others.
+std::vector<Vec3> anchors_of_equal(const BevelFeature& slope, std::size_t end, const std::array<Vec3, 3>& own) {
+  constexpr double drawn = 1.0 / 16;  // of the slope: prolonged by an extension line
+  if (slope.across[0] != slope.across[1]) return {};
+  const Vec3 corner = slope.ends[1 - end], side = slope.ends[end] - corner;
+  return {corner, corner - drawn * glm::length(side) * glm::normalize(own[1] - own[0]), corner + side};
+}
+
 // Where a slope and a neighbour meet whose angle is dimensioned; nothing if positions are.
 std::optional<std::size_t> corner_of_angle(const BevelFeature& slope, const DimensionSubject& subject,
                                            const std::optional<AngledEnd>& angled) {
@@ -146,8 +154,9 @@ std::vector<DimensionDescription> dimensions_of_angles(const std::vector<AngleOf
   for (const auto& group : groups_of<AngleOfSlope>(angles, have_one)) {
     const AngleOfSlope& shown = *group.front();
     dimensions.push_back(plan.dimension(DimensionType::angular, *shown.view, times(group.size()) + "<>"));
-    for (const Vec3& anchor : anchors_of_angle(*shown.slope, shown.corner, plan.subject.world))
-      dimensions.back().anchors.emplace_back(anchor);
+    const std::array<Vec3, 3> anchors = anchors_of_angle(*shown.slope, shown.corner, plan.subject.world);
+    dimensions.back().anchors.assign(anchors.begin(), anchors.end());
+    dimensions.back().opposite = anchors_of_equal(*shown.slope, shown.corner, anchors);
     check(dimensions.back().anchors.size() == 3, "an angle has a corner and two legs");
   }
   return dimensions;
