@@ -122,10 +122,12 @@ std::vector<ItemPlacement> placements_of(const MeasuredCircle& circle, const Mea
     for (int k = 0; k < lengths; ++k) {
       const double length = shortest_leader_of_circle + longer_leader * k, past = length - circle.radius;
       add(length, cost_of_length * length + (circle.is_label ? cost_of_label_leader : 0));
-      // Past the centre only over free paper, to which fillets are open.
+      if (!from_inside) continue;
+      // Past the centre better over free paper, to which fillets are open.
       const TurnedBox beyond = line_box(circle.centre, circle.centre - std::max(past, 0.0) * direction);
-      from_inside = from_inside && (past <= 0 || ink_in(beyond, drawing) == 0);
-      if (from_inside) add(-length, cost_of_inside + cost_of_length * length);
+      const double crossed = past > 0 ? cost_of_crossing * ink_in(beyond, drawing) : 0;
+      from_inside = crossed < cost_of_other;
+      if (from_inside) add(-length, cost_of_inside + cost_of_length * length + crossed);
     }
     if (!circle.is_radius && !circle.is_label && !circle.spokes && circle.is_whole() &&
         drawn_parts.is_at(angle) == drawn_parts.is_at(angle + std::numbers::pi))
