@@ -94,6 +94,7 @@ struct ArcFeature {
   double radius;
   std::vector<Vec3> points;  ///< in order along it
   bool inwards;
+  Vec3 other_end{0};  ///< of its axis
 };
 
 /// A full cone, with the material inside.

@@ -216,7 +216,8 @@ std::vector<ArcFeature> arcs_of(const RoundFaces& of, const std::vector<SlotFeat
   for (const std::size_t number : firsts_of_arcs(of)) {
     const RoundFace& round = of.faces[number];
     const surfaces::PartSurface& surface = round.face.surface;
-    ArcFeature arc{of.model, round.at(round.to), snapped(surface.axis), surface.radius, {}, round.face.inwards};
+    ArcFeature arc{of.model, round.at(round.to), snapped(surface.axis), surface.radius,
+                   {},       round.face.inwards, round.at(round.from)};
     if (is_end_of_slot(slots, arc)) continue;
     constexpr int steps = 8;
     const Vec3 across = glm::cross(surface.axis, round.middle);

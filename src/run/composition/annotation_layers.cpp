@@ -376,9 +376,10 @@ void add_annotations(AnnotationLayers& result, sheet::Neighbours& around, ViewTo
     if (one.view != of.view) neighbours.boxes.push_back(one.box);
   const bool lacks_lines = !of.views[of.view].partial.stages.empty();
   const std::vector<sheet::ItemBeside> items = sheet::callout_items(of.callouts, drawing, style);
-  sheet::PlacedLayer placed = sheet::place_dimensions(
-      {of.input.world, drawing, wanted.dimensions, wanted.found, lacks_lines, wanted.equal, items}, style, neighbours,
-      budget.run.with_part_of_the_time(0.5));
+  sheet::PlacedLayer placed =
+      sheet::place_dimensions({of.input.world, drawing, wanted.dimensions, wanted.found, lacks_lines, wanted.equal,
+                               items, of.input.views.plans[of.view].options.turned.has_value()},
+                              style, neighbours, budget.run.with_part_of_the_time(0.5));
   note_faults(result.findings, drawing.name, placed, paper);
   tell_left_out(result, placed, wanted.dimensions.size(), drawing.name);
   tell_unseen(result, placed, drawing.name);

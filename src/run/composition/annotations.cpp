@@ -129,16 +129,18 @@ void replace_found(std::vector<std::vector<scene::DimensionDescription>>& found,
     sheet::replace_twins(of_view, given, world, features, projections);
 }
 
-// Where automatic notes of several features may stand, too.
-void add_equal(Annotations& of_view, std::span<const scene::DimensionDescription> found,
-               const features::PartFeatures& features) {
-  for (const scene::DimensionDescription& one : found)
-    of_view.equal.push_back(sheet::equal_circles(one, of_view.dimensions, features));
-}
-
 template <class Element>
 void append(std::vector<Element>& to, std::vector<Element> more) {
   std::move(more.begin(), more.end(), std::back_inserter(to));
+}
+
+// Where automatic notes of several features may stand, too.
+void add_equal(Annotations& of_view, std::span<const scene::DimensionDescription> found,
+               const features::PartFeatures& features, std::span<const sheet::NamedProjection> views) {
+  for (const scene::DimensionDescription& one : found) {
+    of_view.equal.push_back(sheet::equal_circles(one, of_view.dimensions, features));
+    if (sheet::only_pictorial(views, *one.view) != nullptr) append(of_view.equal.back(), sheet::rims_of(one, features));
+  }
 }
 
 // What somebody asked for in each view, if there is one sheet.
@@ -251,7 +253,7 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
   for (std::size_t i = 0; i < views.size(); ++i) {
     std::vector<scene::DimensionDescription>& dimensions = annotations[i].dimensions;
     annotations[i].found = found[i].size();
-    if (!found[i].empty() && !sheet.plans[i].options.turned) add_equal(annotations[i], found[i], features());
+    if (known && !sheet.plans[i].options.turned) add_equal(annotations[i], found[i], *known, projections);
     dimensions.insert(dimensions.begin(), std::make_move_iterator(found[i].begin()),
                       std::make_move_iterator(found[i].end()));
     if (sheet.plans[i].options.turned) annotations[i].unturned = dimensions;

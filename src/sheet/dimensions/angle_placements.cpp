@@ -218,7 +218,7 @@ void add_at_corner(std::vector<ItemPlacement>& placements, const MeasuredAngle& 
 }  // namespace
 
 std::vector<ItemPlacement> placements_of(const MeasuredAngle& angle, const MeasuredDimension& measured,
-                                              const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
+                                         const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
   std::vector<ItemPlacement> placements;
   add_at_corner(placements, angle, measured, drawing, style);
   const std::size_t own = placements.size();

@@ -159,18 +159,28 @@ DimensionText text_of(const MeasuredRow& row) {
   return all;
 }
 
+// With the lines of a circle.
+MeasuredDimension measured_in(const DimensionedView& view, const AnchoredDimension& dimension,
+                              const Notation& notation) {
+  MeasuredDimension measured = measure(view.drawing, dimension, notation);
+  if (auto* circle = std::get_if<MeasuredCircle>(&measured.form))
+    circle->lines = lines_along(view.drawing, *circle, view.is_turned ? nullptr : &view.world);
+  return measured;
+}
+
 // The circles of equal features that a whole view shows.
 std::vector<MeasuredCircle> shown_circles(std::span<const scene::FeatureCircle> equal, AnchoredDimension dimension,
-                                          const drawing::ViewDrawing& drawing, const Notation& notation) {
+                                          const DimensionedView& view, const Notation& notation) {
   std::vector<MeasuredCircle> shown;
-  if (drawing.shown.breaks.any() || dimension.offset) return shown;
+  if (view.drawing.shown.breaks.any() || dimension.offset) return shown;
   const std::size_t count = std::min(equal.size(), max_in_crowd);
   for (std::size_t i = 0; i < count; ++i) {
     const scene::FeatureCircle& one = equal[i * equal.size() / count];  // of very many, some all over the view
     dimension.circles = {{one.centre, one.axis, one.radius, one.arc, one.arc.empty()}};
-    const MeasuredDimension there = measure(drawing, dimension, notation);
+    if (dimension.type != DimensionType::radius) dimension.type = DimensionType::diameter;
+    const MeasuredDimension there = measured_in(view, dimension, notation);
     const auto* circle = std::get_if<MeasuredCircle>(&there.form);
-    if (circle != nullptr && shows_visible(drawing, *circle)) shown.push_back(*circle);
+    if (circle != nullptr && shows_visible(*circle)) shown.push_back(*circle);
   }
   check(shown.size() <= max_in_crowd, "only some circles are tried");
   return shown;
@@ -226,7 +236,7 @@ class Measuring {
 
  private:
   [[nodiscard]] MeasuredDimension measured_as(const AnchoredDimension& dimension) const {
-    MeasuredDimension measured = measure(view_.drawing, dimension, notation_);
+    MeasuredDimension measured = measured_in(view_, dimension, notation_);
     measured.name = dimension.name;
     expect_letters(measured.text.line(), dimension, style_.lettering);
     return measured;
@@ -236,8 +246,14 @@ class Measuring {
     check(i < view_.found, "what the view does not show was found, not asked for");
     MeasuredDimension measured = measured_as(dimension);
     const bool is_round = dimension.type == DimensionType::diameter || dimension.type == DimensionType::radius;
-    const bool is_seen = !is_round || view_.lacks_lines || shows_circle(view_.drawing, measured);
-    if (i < view_.equal.size()) measured.equal = shown_circles(view_.equal[i], dimension, view_.drawing, notation_);
+    const bool has_circles = i < view_.equal.size() && !view_.equal[i].empty();
+    if (has_circles) measured.equal = shown_circles(view_.equal[i], dimension, view_, notation_);
+    const bool is_whole = !view_.drawing.shown.breaks.any();
+    bool is_seen = view_.lacks_lines || (is_round ? shows_circle(view_.drawing, measured) : !has_circles || !is_whole);
+    if (!is_round && !measured.equal.empty()) {
+      is_seen = true;
+      measured.equal.clear();
+    }
     if (!is_seen && !measured.equal.empty()) {
       measured.form = measured.equal.front();
     } else if (!is_seen) {

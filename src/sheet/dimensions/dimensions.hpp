@@ -33,9 +33,11 @@ struct DimensionedView {
   std::span<const scene::DimensionDescription> dimensions;
   std::size_t found = 0;     ///< how many of them, the first ones, nobody asked for: they are left out without room
   bool lacks_lines = false;  ///< since time was over
-  /// By dimension, if there are any: circles of equal features, at which it may stand instead: "4× ⌀8".
+  /// By dimension, if there are any: circles of equal features, at which it may stand instead: "4× ⌀8"; of a length,
+  /// circles of what it is the place of, one of which must be seen.
   std::span<const std::vector<scene::FeatureCircle>> equal{};
   std::span<const ItemBeside> beside{};
+  bool is_turned = false;  ///< whether parts of the world are elsewhere in it, as in aligned sections
 };
 
 /// The dimensions of a view on paper.

@@ -242,6 +242,9 @@ MeasuredCircle on_paper(const WorldCircle& circle, const Sight& sight, const Anc
   MeasuredCircle measured{sight.page(circle.centre),    circle.radius * sight.millimetres(),     0,
                           circle.whole ? full_turn : 0, dimension.type == DimensionType::radius, dimension.is_label};
   measured.value = measured.is_radius ? circle.radius : 2 * circle.radius;
+  check(circle.radius > 0, "a circle has a radius");
+  measured.place = circle.centre;
+  measured.axis = circle.axis;
   if (circle.whole && sight.drawing.shown.breaks.any()) keep_shown_arc(measured, circle, sight);
   if (circle.whole) return measured;
   std::optional<Vec2> before;
@@ -478,10 +481,10 @@ std::vector<double> places_of(const MeasuredDimension& dimension) {
   } else if (const auto* angle = std::get_if<MeasuredAngle>(&dimension.form)) {
     for (const Vec2& v : {angle->corner, angle->legs[0], angle->legs[1]}) add(v);
     if (angle->arc) places.push_back(*angle->arc);
+    if (angle->equal) add(angle->equal->at);
   } else if (const auto* circle = std::get_if<MeasuredCircle>(&dimension.form)) {
     add(circle->centre);
     add({circle->first, circle->sweep});
-    if (angle->equal) add(angle->equal->at);
     add({circle->radius, circle->is_radius ? 1 : 0});
     if (circle->spokes) std::ranges::for_each(*circle->spokes, add);
   }

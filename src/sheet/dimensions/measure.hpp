@@ -72,6 +72,8 @@ struct MeasuredCircle {
   bool is_label = false;  ///< whether the text is only a name beside the circle
   double value = 0;       ///< in the world, mm
   std::optional<std::array<Vec2, 2>> spokes{};  ///< of an ellipse: images of two perpendicular spokes
+  Vec3 place{0}, axis{0};                       ///< in the world: its centre, and the direction of its axis; length 1
+  std::vector<LineOfCircle> lines{};            ///< as of lines_along
 
   [[nodiscard]] bool is_whole() const { return std::abs(sweep) >= full_turn; }
   /// A direction from the centre in lengths of the spokes: 1 where it meets the circle.

@@ -15,10 +15,9 @@ namespace epura::sheet {
 
 namespace {
 
-// A line this near to a circle, in its radii, is of it: facets lie inside the circle, and so does the core of a thread
-// whose nominal diameter is measured.
-constexpr double of_circle = 0.2;
-constexpr double by_facets = 0.05;       // the same of facets alone
+constexpr double of_face = 0.01;         // of its radius: ends of an edge on a face of the circle are no farther off
+constexpr double by_facets = 0.05;       // the same of what lies on facets, which are inside
+constexpr double of_outline = 0.2;       // the same of outlines of coarse facets, and of cores of threads
 constexpr double along_diameter = 1e-3;  // radians between a line and the diameter that it follows
 
 // Seen from the centre, in lengths of the spokes.
@@ -34,14 +33,34 @@ bool is_along(const std::array<Vec2, 2>& line, double off) {
          std::abs(cross(along, spoke)) >= std::abs(glm::dot(along, spoke));
 }
 
-bool has_line_along(const drawing::ViewDrawing& drawing, const MeasuredCircle& circle, bool visible_only = false) {
-  return std::any_of(drawing.segments.begin(), drawing.segments.end(), [&](const drawing::Segment& segment) {
-    return (segment.visible || !visible_only) && is_along(in_circle(segment, circle), of_circle);
+bool is_on_arc(const std::array<Vec2, 2>& line, const MeasuredCircle& circle) {
+  if (circle.is_whole()) return true;
+  const Vec2 spoke = circle.of_spokes((line[0] + line[1]) / 2.0);
+  const double off = std::remainder(portable_atan2(spoke.y, spoke.x) - circle.first - circle.sweep / 2, full_turn);
+  return std::abs(off) <= std::abs(circle.sweep) / 2;
+}
+
+// Whether a line lies on the face around the axis of a circle; one that is no edge of a file ends amid facets.
+bool is_on_face(const drawing::Segment& segment, const drawing::ViewDrawing& drawing, const MeasuredCircle& circle,
+                const world::World& world) {
+  const double radius = circle.is_radius ? circle.value : circle.value / 2;
+  const auto is_near = [&](const Vec3& p, double inside) {
+    const double off = glm::length(glm::cross(p - circle.place, circle.axis)) / radius - 1;
+    return off >= -inside && off <= of_face;
+  };
+  if (segment.crossing >= 0) {
+    const auto& ends = drawing.crossings[static_cast<std::size_t>(segment.crossing)].world;
+    return is_near(ends[0], by_facets) && is_near(ends[1], by_facets);
+  }
+  const auto first =
+      static_cast<std::size_t>(world.first_vertex[static_cast<std::size_t>(drawing.number_in_scene(segment.model))]);
+  return std::ranges::all_of(segment.edge, [&](int vertex) {
+    return is_near(world.points[first + static_cast<std::size_t>(vertex)], of_face);
   });
 }
 
 bool has_line_at(const drawing::ViewDrawing& drawing, const Vec2& end, const MeasuredLength& length) {
-  const double near = of_circle * glm::distance(length.from, length.to) / 2;
+  const double near = of_outline * glm::distance(length.from, length.to) / 2;
   return std::any_of(drawing.segments.begin(), drawing.segments.end(), [&](const drawing::Segment& segment) {
     const Vec2 along = segment.to - segment.from;
     return std::abs(cross(length.along, along)) > along_diameter * glm::length(along) &&
@@ -63,24 +82,36 @@ std::vector<Disc> holes_on(const MeasuredCircle& circle, const drawing::ViewDraw
 
 }  // namespace
 
+std::vector<LineOfCircle> lines_along(const drawing::ViewDrawing& drawing, const MeasuredCircle& circle,
+                                      const world::World* world) {
+  std::vector<LineOfCircle> lines;
+  for (const drawing::Segment& segment : drawing.segments) {
+    const auto line = in_circle(segment, circle);
+    const bool is_outline = segment.kind == EdgeKind::contour;  // as of balls, of which facets are anywhere beside it
+    if (is_along(line, is_outline ? of_outline : by_facets) && is_on_arc(line, circle) &&
+        (is_outline || world == nullptr || is_on_face(segment, drawing, circle, *world)))
+      lines.push_back({line, segment.visible});
+  }
+  check(lines.size() <= drawing.segments.size(), "lines of a circle are lines of its view");
+  return lines;
+}
+
 bool shows_circle(const drawing::ViewDrawing& drawing, const MeasuredDimension& measured) {
-  if (const auto* circle = std::get_if<MeasuredCircle>(&measured.form)) return has_line_along(drawing, *circle);
+  if (const auto* circle = std::get_if<MeasuredCircle>(&measured.form))
+    return !circle->lines.empty() || !holes_on(*circle, drawing).empty();
   const auto* length = std::get_if<MeasuredLength>(&measured.form);
   check(length != nullptr, "a diameter is measured at a circle or along a line");
   return has_line_at(drawing, length->from, *length) || has_line_at(drawing, length->to, *length);
 }
 
-bool shows_visible(const drawing::ViewDrawing& drawing, const MeasuredCircle& circle) {
-  return has_line_along(drawing, circle, true);
-}
+bool shows_visible(const MeasuredCircle& circle) { return std::ranges::any_of(circle.lines, &LineOfCircle::visible); }
 
 DrawnParts::DrawnParts(const drawing::ViewDrawing& drawing, const MeasuredCircle& circle) : circle_(circle) {
   holes_ = holes_on(circle, drawing);
   if (!holes_.empty()) return;
-  const bool visible_only = has_line_along(drawing, circle, true);
-  for (const drawing::Segment& segment : drawing.segments)
-    if (const auto line = in_circle(segment, circle); (segment.visible || !visible_only) && is_along(line, by_facets))
-      lines_.push_back(line);
+  const bool visible_only = shows_visible(circle);
+  for (const LineOfCircle& line : circle.lines)
+    if (line.visible || !visible_only) lines_.push_back(line.ends);
 }
 
 bool DrawnParts::is_at(double angle) const {
@@ -99,7 +130,7 @@ std::vector<double> DrawnParts::among(const std::vector<double>& angles) const {
   std::copy_if(angles.begin(), angles.end(), std::back_inserter(drawn), [this](double angle) { return is_at(angle); });
   check(drawn.size() <= angles.size(), "a leader has one of the directions that it may have");
   if (!drawn.empty()) return drawn;
-  if (lines_.empty() || !circle_.is_whole()) return angles;
+  if (lines_.empty()) return angles;
   const auto& [from, to] = *std::max_element(lines_.begin(), lines_.end(), [](const auto& a, const auto& b) {
     return glm::distance(a[0], a[1]) < glm::distance(b[0], b[1]);
   });

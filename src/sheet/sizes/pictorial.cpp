@@ -259,6 +259,52 @@ const NamedProjection* only_pictorial(std::span<const NamedProjection> views, co
   return pictorial;
 }
 
+namespace {
+
+// At both ends of a hole, and above its recesses.
+std::vector<scene::FeatureCircle> rims_of(const features::HoleFeature& hole) {
+  const auto at = [&hole](const Vec3& centre, double diameter) {
+    return scene::FeatureCircle{centre, hole.axis, diameter / 2, {}};
+  };
+  std::vector<scene::FeatureCircle> rims{at(hole.begin_of_bore(), hole.called())};
+  for (const auto* recess : {&hole.counterbore, &hole.countersink})
+    if (*recess) rims.push_back(at(hole.mouth, (*recess)->diameter));
+  if (hole.through) rims.push_back(at(hole.mouth - hole.reach * hole.axis, hole.called()));
+  return rims;
+}
+
+}  // namespace
+
+std::vector<scene::FeatureCircle> rims_of(const DimensionDescription& dimension,
+                                          const features::PartFeatures& features) {
+  const bool is_round = dimension.circle.has_value();
+  std::vector<scene::FeatureCircle> rims;
+  if (!is_round && *dimension.type != DimensionType::aligned) return rims;
+  const auto* place = is_round || dimension.anchors.size() != 2 ? nullptr : std::get_if<Vec3>(&dimension.anchors[1]);
+  if (!is_round && place == nullptr) return rims;
+  const Vec3 centre = is_round ? dimension.circle->centre : *place;
+  const auto is_its = [&](const Vec3& point, const Vec3& axis, double radius) {
+    return features::distance_from_line(centre, point, axis) <= features::same_size * radius &&
+           (!is_round || features::are_parallel(axis, dimension.circle->axis));
+  };
+  for (const features::HoleFeature& hole : features.holes)
+    if (is_its(hole.mouth, hole.axis, hole.called()))
+      for (scene::FeatureCircle& rim : rims_of(hole)) rims.push_back(std::move(rim));
+  for (const features::CylinderFeature& one : features.cylinders)
+    if (is_its(one.from, one.axis, one.called()) &&
+        (!is_round || features::are_same(one.called(), dimension.circle->radius)))
+      for (const Vec3& end : {one.from, one.to}) rims.push_back({end, one.axis, one.called(), {}});
+  for (const features::ArcFeature& arc : features.arcs)
+    if (is_round && is_its(arc.centre, arc.axis, arc.radius) &&
+        features::are_same(arc.radius, dimension.circle->radius)) {
+      rims.push_back({arc.centre, arc.axis, arc.radius, arc.points});
+      rims.push_back({arc.other_end, arc.axis, arc.radius, arc.points});
+      for (Vec3& point : rims.back().arc) point += arc.other_end - arc.centre;
+    }
+  check(!is_round || dimension.circle->radius > 0, "a circle has a radius");
+  return rims;
+}
+
 std::vector<DimensionDescription> pictorial_dimensions(const DimensionDescription& wanted, const NamedProjection& view,
                                                        const DimensionSubject& subject, const Notation& notation) {
   return PictorialPlanner(wanted, view, subject, notation).plan();

@@ -22,4 +22,9 @@ std::vector<scene::DimensionDescription> pictorial_dimensions(const scene::Dimen
                                                               const DimensionSubject& subject,
                                                               const Notation& notation);
 
+/// The circles of the features whose size or place such a dimension gives, beside its own: one of them must be seen. A
+/// diameter or radius of which the view does not show its own circle stands at another one.
+std::vector<scene::FeatureCircle> rims_of(const scene::DimensionDescription& dimension,
+                                          const features::PartFeatures& features);
+
 }  // namespace epura::sheet

@@ -321,5 +321,65 @@ TEST(DimensionClearance, LegsOfAnglesDoNotGoThroughThePart) {
   EXPECT_GE(blocked.back(), free.back() + 20);
 }
 
+// The rim of a wider disc lies near the hidden one of a shaft, and looks like it on paper.
+TEST(DimensionClearance, LeadersOfAxonometricViewsEndOnTheirOwnFeature) {
+  constexpr double radius = 17.5;
+  Shape part = cylinder(72, radius, 30);
+  part.add(cylinder(72, 1.1 * radius, 10).moved(0, 0, 30));
+  const world::World world = placed(part);
+  const drawing::ViewDrawing view = drawing_of(world, orthographic(from_corner));
+  std::vector<scene::DimensionDescription> diameter{dimension("diameter", {})};
+  diameter[0].circle = scene::FeatureCircle{{0, 0, 30}, {0, 0, 1}, radius, {}};
+  const sheet::DimensionStyle style{sheet::Lettering(), 0.25};
+  EXPECT_EQ(sheet::place_dimensions({world, view, diameter, 1}, style).unseen, (std::vector<std::size_t>{0}));
+  const std::vector<std::vector<scene::FeatureCircle>> other_end{{{{0, 0, 0}, {0, 0, 1}, radius, {}}}};
+  const sheet::PlacedLayer placed_there = sheet::place_dimensions({world, view, diameter, 1, false, other_end}, style);
+  ASSERT_EQ(placed_there.layer.fills.size(), 1U);
+  const Vec2 tip = placed_there.layer.fills[0].rings[0][0];
+  double nearest = HUGE_VAL;
+  for (int i = 0; i < 720; ++i) {
+    const double angle = i * std::numbers::pi / 360;
+    const Vec3 rim = radius * Vec3(std::cos(angle), std::sin(angle), 0);
+    nearest = std::min(nearest, glm::distance(tip, drawing::position_on_page(view, rim)));
+  }
+  EXPECT_LT(nearest, 0.1);
+}
+
+// A length says where a bore is, of which the view shows the mouth or not.
+TEST(DimensionClearance, PlacesOfWhatIsNotSeenAreLeftOut) {
+  Shape part = cylinder(48, 5, 10);
+  part.add(box({-20, -20, -10}, {20, 20, 0}));
+  const world::World world = placed(part);
+  const drawing::ViewDrawing view = drawing_of(world, orthographic(from_corner));
+  std::vector<scene::DimensionDescription> place{dimension("aligned", {})};
+  place[0].anchors = {Vec3(-20, 0, 10), Vec3(0, 0, 10)};
+  const sheet::DimensionStyle style{sheet::Lettering(), 0.25};
+  for (const double height : {10.0, -10.0}) {
+    const std::vector<std::vector<scene::FeatureCircle>> rim{{{{0, 0, height}, {0, 0, 1}, 5, {}}}};
+    EXPECT_EQ(sheet::place_dimensions({world, view, place, 1, false, rim}, style).unseen.empty(), height > 0) << height;
+  }
+}
+
+// Between parallel faces, an angle is at either end of a slope: slats are in the way at one of them.
+TEST(DimensionClearance, AnglesStandWhereTheirLegsAreFree) {
+  const Vec2 slope(10, 20 * std::sqrt(0.75));
+  const auto tip_with = [&](int slats) {
+    Shape part = box({0, -5, -10}, {1, 5, 0});
+    for (int i = 0; i < slats; ++i) part.add(box({3.0 + i, -5, 1}, {3.5 + i, 5, 17}));
+    const world::World world = placed(part);
+    const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front));
+    const Vec2 corner = drawing::position_on_page(front, Vec3(0));
+    sheet::MeasuredAngle angle{corner, {Vec2(12, 0), slope}};
+    angle.equal = sheet::CornerOnPaper{corner + slope, {Vec2(-1, 0), -slope}};
+    auto all = sheet::placements_of(angle, {angle, sheet::DimensionText("60°"), {}}, front, {sheet::Lettering(), 0.25});
+    return std::ranges::min_element(all, {}, &sheet::ItemPlacement::cost)->drawn().arrows.at(0).rings[0][0] -
+           corner;
+  };
+  EXPECT_NEAR(tip_with(0).y, 0, 1e-6);
+  EXPECT_GT(tip_with(0).x, 0);
+  EXPECT_NEAR(tip_with(12).y, slope.y, 1e-6);
+  EXPECT_LT(tip_with(12).x, slope.x);
+}
+
 }  // namespace
 }  // namespace epura::test::dimension_clearance_test
