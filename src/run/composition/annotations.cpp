@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <iterator>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "annotations/cutting_plane_line.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
+#include "composition/seen_marks.hpp"
 #include "features/assembly_features.hpp"
 #include "features/true_extents.hpp"
 #include "sizes/anchors.hpp"
@@ -193,6 +196,21 @@ void keep_rest(sheet::AutomaticPlan& plan, std::vector<Annotations>& annotations
   annotations.front().omitted.append(std::move(plan.omitted));
 }
 
+// Where two views look along one axis, what one hides may be seen in the other.
+std::vector<sheet::NamedProjection> with_faces(std::vector<sheet::NamedProjection> views, const world::World& world) {
+  for (sheet::NamedProjection& view : views) {
+    const auto is_along = [&view](const sheet::NamedProjection& other) {
+      return &other != &view && std::abs(glm::dot(other.projection.n, view.projection.n)) >= 1 - max_tilt * max_tilt;
+    };
+    if (view.section != nullptr || !projection::is_orthographic(view.projection) ||
+        std::ranges::none_of(views, is_along))
+      continue;
+    const auto faces = std::make_shared<const FaceView>(view.name, view.projection, world);
+    view.shows = [faces](const Vec3& point) { return faces->shows(point); };
+  }
+  return views;
+}
+
 void add_dimensions(std::vector<Annotations>& annotations, const world::World& world,
                     const scene::SceneDescription& scene, const SheetOfViews& sheet,
                     std::span<const view::ProjectedScene> seen, const SectionSurfaces& sections) {
@@ -202,7 +220,8 @@ void add_dimensions(std::vector<Annotations>& annotations, const world::World& w
   const auto features = [&]() -> const features::PartFeatures& {
     return known ? *known : known.emplace(features::features_to_dimension(world));
   };
-  const std::vector<sheet::NamedProjection> projections = views_to_measure(world, views, sheet.plans, seen, sections);
+  std::vector<sheet::NamedProjection> projections = views_to_measure(world, views, sheet.plans, seen, sections);
+  if (dimensions_features(scene)) projections = with_faces(std::move(projections), world);
   const auto here = [&views](const std::string& name) {
     return std::find_if(views.begin(), views.end(), [&](const scene::ViewDescription& v) { return *v.name == name; });
   };

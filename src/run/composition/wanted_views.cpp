@@ -8,9 +8,13 @@
 
 #include "base/text.hpp"
 #include "composition/seen_marks.hpp"
+#include "features/assembly_features.hpp"
 #include "features/tolerances.hpp"
 #include "scene/choices.hpp"
 #include "scene/view_names.hpp"
+#include "sizes/pictorial.hpp"
+#include "sizes/twins.hpp"
+#include "sizes/view_choice.hpp"
 
 namespace epura::pipeline {
 
@@ -73,6 +77,50 @@ std::vector<ShowingView> few_views(std::vector<ShowingView> views) {
       std::erase_if(view.shows, [&](std::size_t i) { return std::binary_search(shown.begin(), shown.end(), i); });
   }
   return chosen;
+}
+
+namespace {
+
+// Circles of which one must be seen where a note about them stands.
+std::vector<scene::FeatureCircle> circles_of(const scene::DimensionDescription& note,
+                                             const features::PartFeatures& features) {
+  std::vector<scene::FeatureCircle> circles = sheet::rims_of(note, features);
+  circles.push_back(*note.circle);
+  std::ranges::copy(sheet::equal_circles(note, {}, features), std::back_inserter(circles));
+  return circles;
+}
+
+}  // namespace
+
+std::vector<std::string> views_for_hidden(const world::World& world, const SheetOfViews& sheet,
+                                          std::span<const view::ProjectedScene> seen,
+                                          std::span<const Annotations> annotations, const Progress& progress) {
+  std::vector<std::string> wanted;
+  const features::PartFeatures features = features::features_to_dimension(world, progress);
+  for (std::size_t i = 0; i < seen.size(); ++i) {
+    const projection::Projection& here = seen[i].projection;
+    const scene::ViewDescription& view = sheet.descriptions[i];
+    if (!projection::is_orthographic(here) || view.section.given() || view.detail.given()) continue;
+    const auto tries = views_to_try(std::array{-here.n});
+    const auto trial = std::ranges::find_if(
+        tries, [&here](const TrialView& one) { return glm::dot(one.seen.n, here.n) <= max_tilt * max_tilt - 1; });
+    if (trial == tries.end()) continue;
+    const FaceView front(*view.name, here, world), back(trial->projection, trial->seen, world);
+    const auto shows = [](const FaceView& of) { return [&of](const Vec3& point) { return of.shows(point); }; };
+    const bool any = std::any_of(
+        annotations[i].dimensions.begin(),
+        annotations[i].dimensions.begin() + static_cast<std::ptrdiff_t>(annotations[i].found), [&](const auto& note) {
+          if (!note.circle || note.is_label || std::abs(glm::dot(note.circle->axis, here.n)) < 1 - max_tilt * max_tilt)
+            return false;
+          const auto circles = circles_of(note, features);
+          const auto is_seen_in = [&](const FaceView& of) {
+            return std::ranges::any_of(circles, [&](const auto& one) { return sheet::shows_part(one, shows(of)); });
+          };
+          return !is_seen_in(front) && is_seen_in(back);
+        });
+    if (any) wanted.push_back(trial->projection);
+  }
+  return wanted;
 }
 
 std::size_t add_views(scene::SceneDescription& scene, int sheet, std::span<const std::string> projections) {

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "composition/annotations.hpp"
 #include "projection/projection.hpp"
 #include "scene/description.hpp"
 
@@ -34,6 +35,12 @@ struct ShowingView {
 /// Those that together show whatever any of them shows: in turn the one that shows most of the rest, the first of equal
 /// ones, each with that. At most ln(n) times as many as would do (Johnson 1974).
 std::vector<ShowingView> few_views(std::vector<ShowingView> views);
+
+/// The views from behind in which something is seen of what automatic notes measure, that each view in which they stand
+/// hides, as of bores that open below.
+std::vector<std::string> views_for_hidden(const world::World& world, const SheetOfViews& sheet,
+                                          std::span<const view::ProjectedScene> seen,
+                                          std::span<const Annotations> annotations, const Progress& progress);
 
 /// Adds views with names of their own to a sheet of a scene, but none that it has. Returns how many.
 std::size_t add_views(scene::SceneDescription& scene, int sheet, std::span<const std::string> projections);

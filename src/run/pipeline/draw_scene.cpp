@@ -228,6 +228,7 @@ PreparedSheet Run::prepare_with_added_views(const ShownWorlds& worlds, SheetOfVi
   if (dimensions_features(scene)) {
     const auto anchored = anchored_dimensions(worlds.main(), sheet.views, sheet.seen, sheet.annotations);
     add_all(lacking, views_for_sizes({worlds.main(), scene, anchored}, progress));
+    add_all(lacking, views_for_hidden(worlds.main(), sheet.views, sheet.seen, sheet.annotations, progress));
   }
   scene::SceneDescription extended = described;
   const std::size_t added = add_views(extended, number, lacking);

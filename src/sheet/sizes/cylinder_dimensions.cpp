@@ -84,7 +84,10 @@ std::size_t count_cylinders(const CylinderGroup& group, const std::vector<Cylind
 Planned dimensions_of_equal(const Planning& plan, const CylinderGroup& group) {
   Planned planned;
   const Vec3& axis = group.front()->axis;
-  const NamedProjection* along = plan.views.along(axis);
+  std::vector<scene::FeatureCircle> rims;
+  for (const CylinderFeature* one : group)
+    for (const Vec3& at : {one->from, one->to}) rims.push_back({at, axis, one->called(), {}});
+  const NamedProjection* along = plan.views.showing(rims);
   const auto end = [&](const CylinderFeature& cylinder) { return outer_end(cylinder, plan.box.centre()); };
   const NamedProjection* across = group.front()->inwards ? nullptr : plan.views.across(axis, end(*group.front()));
   // Across an interrupted one, its outline may not be seen.
@@ -175,7 +178,9 @@ Planned slot_dimensions(const Planning& plan) {
   for (const auto& group : groups_of<SlotFeature>(slots, equal)) {
     const SlotFeature& slot = *group.front();
     check(slot.radius > 0 && slot.centres[0] != slot.centres[1], "a slot has a width and a length");
-    const NamedProjection* view = plan.views.along(slot.axis);
+    std::array<scene::FeatureCircle, 2> rims{end_of(slot), end_of(slot)};
+    for (Vec3& point : rims[1].arc) point -= slot.reach * slot.axis;
+    const NamedProjection* view = plan.views.showing(rims);
     if (view == nullptr) continue;
     planned.dimensions.push_back(
         plan.dimension(DimensionType::radius, *view, times(2 * group.size()) + "<>", end_of(slot)));

@@ -2,6 +2,7 @@
 // A view as automatic dimensions see it: what it shows in true length, and where.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -15,6 +16,8 @@ struct NamedProjection {
   projection::Projection projection;
   const cut::CuttingSurface* section = nullptr;  ///< that it shows; null if it shows the whole
   double slack = 0;                              ///< up to which points are on the planes of the section
+  std::function<bool(const Vec3&)> shows{};      ///< whether nothing hides a point of the models; empty: as if nothing
+                                                 ///< hid any
 
   /// Of an aligned section, which shows parts of the models elsewhere.
   [[nodiscard]] bool aligned() const { return section != nullptr && section->aligned; }

@@ -35,6 +35,14 @@ using scene::DimensionDescription;
 // As `times`, but nobody counts the corners of a hundred teeth, and one note gives the radius of all that look equal.
 std::string times_of_radii(std::size_t count) { return count > max_of_a_kind ? "" : times(count); }
 
+// The view that shows an arc, at either end of its face.
+const NamedProjection* view_of(const ArcFeature& arc, const ViewChoice& views) {
+  std::array<scene::FeatureCircle, 2> rims{scene::FeatureCircle{arc.centre, arc.axis, arc.radius, arc.points},
+                                           {arc.other_end, arc.axis, arc.radius, arc.points}};
+  for (Vec3& point : rims[1].arc) point += arc.other_end - arc.centre;
+  return views.showing(rims);
+}
+
 // The view along most of some arcs, and these.
 std::pair<const NamedProjection*, std::vector<const ArcFeature*>> view_of_most(
     const ViewChoice& views, const std::vector<const ArcFeature*>& arcs) {
@@ -42,7 +50,7 @@ std::pair<const NamedProjection*, std::vector<const ArcFeature*>> view_of_most(
   for (const NamedProjection* view : views.all()) {
     std::vector<const ArcFeature*> seen;
     std::copy_if(arcs.begin(), arcs.end(), std::back_inserter(seen),
-                 [&](const ArcFeature* arc) { return views.along(arc->axis) == view; });
+                 [&](const ArcFeature* arc) { return view_of(*arc, views) == view; });
     if (seen.size() > best.second.size()) best = {view, std::move(seen)};
   }
   return best;
@@ -81,7 +89,7 @@ Planned arc_positions(const Planning& plan) {
   const std::vector<ArcFeature>& arcs = plan.subject.features.arcs;
   const auto add = [&](int number) {
     const ArcFeature& arc = arcs[static_cast<std::size_t>(number)];
-    planned.append(positions_of(plan, std::array{arc.centre}, arc.axis, plan.views.along(arc.axis),
+    planned.append(positions_of(plan, std::array{arc.centre}, arc.axis, view_of(arc, plan.views),
                                 plan.group_of(SizeKind::arc, arcs, &arc)));
   };
   for (const RoundEnd& end : plan.table.round_ends)

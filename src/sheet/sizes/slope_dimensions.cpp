@@ -270,14 +270,15 @@ std::vector<Vec3> points_shown(const features::LevelFeature& level, const NamedP
   return points;
 }
 
-// The view in which a step is nearest to the viewer, so that little can hide it; the first one of several. Otherwise
-// the first aligned section that shows it.
+// Of views that do not hide a step, if there are any, the one in which it is nearest to the viewer, so that little can
+// hide it; the first one of several. Otherwise the first aligned section that shows it.
 const NamedProjection* view_of_level(const features::LevelFeature& level, const ViewChoice& views,
                                      const std::vector<Vec3>& all_points, double slack) {
   check(level.axis >= 0 && level.axis < 3 && !level.points.empty(), "a step has an axis and corners");
   const Vec3 axis = Mat3(1)[level.axis];
   const NamedProjection* best = nullptr;
   double least = HUGE_VAL;
+  bool is_best_hidden = true;
   for (const NamedProjection* view : views.all()) {
     const projection::Projection& projection = view->projection;
     if (!are_parallel(projection.u, axis) && !are_parallel(projection.v, axis)) continue;
@@ -286,10 +287,12 @@ const NamedProjection* view_of_level(const features::LevelFeature& level, const 
     double front = -HUGE_VAL, nearest = -HUGE_VAL;
     for (const Vec3& p : all_points) front = std::max(front, depth(p));
     for (const Vec3& p : level.points) nearest = std::max(nearest, depth(p));
+    const bool is_hidden = view->shows && std::ranges::none_of(level.points, view->shows);
     const double behind = front - nearest;
-    if (best != nullptr && behind >= least - slack) continue;
+    if (best != nullptr && (is_hidden != is_best_hidden ? is_hidden : behind >= least - slack)) continue;
     best = view;
     least = behind;
+    is_best_hidden = is_hidden;
   }
   if (best != nullptr) return best;
   for (const NamedProjection* view : views.aligned())

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sizes/view_choice.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "base/angle.hpp"
+#include "base/portable_math.hpp"
 #include "features/tolerances.hpp"
 #include "sizes/coordinates.hpp"
+#include "surfaces/least_squares.hpp"
 
 namespace epura::sheet {
 
@@ -28,6 +32,28 @@ const NamedProjection* ViewChoice::along(const Vec3& axis, bool towards) const {
     if (best == nullptr) best = view;
   }
   return best;
+}
+
+bool shows_part(const scene::FeatureCircle& circle, const std::function<bool(const Vec3&)>& shows) {
+  if (!shows) return true;
+  if (!circle.arc.empty()) return std::ranges::any_of(circle.arc, shows);
+  constexpr int points = 12;
+  const auto [u, v] = surfaces::square_to(circle.axis);
+  for (int i = 0; i < points; ++i) {
+    const double angle = full_turn * i / points;
+    if (shows(circle.centre + circle.radius * (portable_cos(angle) * u + portable_sin(angle) * v))) return true;
+  }
+  return false;
+}
+
+const NamedProjection* ViewChoice::showing(std::span<const scene::FeatureCircle> circles) const {
+  const NamedProjection* first = nullptr;
+  for (const NamedProjection* view : views_) {
+    if (circles.empty() || !are_parallel(view->projection.n, circles.front().axis)) continue;
+    if (std::ranges::any_of(circles, [&](const auto& circle) { return shows_part(circle, view->shows); })) return view;
+    if (first == nullptr) first = view;
+  }
+  return first;
 }
 
 const NamedProjection* ViewChoice::across(const Vec3& axis, const Vec3& at) const {

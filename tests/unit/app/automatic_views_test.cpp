@@ -9,6 +9,7 @@
 #include "base/file.hpp"
 #include "errors.hpp"
 #include "folder.hpp"
+#include "grooved_parts.hpp"
 #include "program.hpp"
 
 namespace epura::test::automatic_views_test {
@@ -137,6 +138,20 @@ TEST_F(AutomaticViews, AreTheDefaultOfAutomaticDimensions) {
   EXPECT_EQ(views_with({"--dimensions", "hole-table"}).substr(0, 14), "front top left");
   EXPECT_EQ(views_with({"--dimensions", "auto", "--projection", "top"}), "top");
   EXPECT_EQ(views_with({"--dimensions", "overall"}), "isometric");
+}
+
+// A note about a bore from below stands where the bore is seen.
+TEST_F(AutomaticViews, LookIntoBores) {
+  folder_.file("bored.obj", bosses_over_bores().front().obj);
+  const Outcome drawn =
+      epura({"draw", "bored.obj", "--dimensions", "auto", "-o", "a.json", "-o", "a.svg"}, folder_ / "");
+  ASSERT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_EQ(views(), "front top left bottom");
+  const std::string svg = read_file(folder_ / "a.svg");
+  const std::size_t note = svg.find("⌀40"), bottom = svg.find("inkscape:label=\"bottom\"");
+  ASSERT_NE(note, std::string::npos);
+  ASSERT_NE(bottom, std::string::npos);
+  EXPECT_GT(note, bottom);
 }
 
 // A template has a size of its own.
