@@ -208,7 +208,7 @@ void add_at_corner(std::vector<ItemPlacement>& placements, const MeasuredAngle& 
       if (is_aside && radius * sweep / 2 <= width) continue;
       const double crowded = place == 0 ? (room ? 0 : 2 * cost_outside)
                              : is_aside ? cost_of_inside
-                                        : cost_outside + cost_of_length * width + cost_past(place, radius);
+                                        : cost_outside + cost_past(place, radius);
       placements.push_back(
           {angular_dimension(angle, measured.text, radius, place, style), cost_of_length * radius + crowded + crossed});
     }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double of_face = 0.01;         // of its radius: ends of an edge on a face of the circle are no farther off
 constexpr double by_facets = 0.05;       // the same of what lies on facets, which are inside
-constexpr double of_outline = 0.2;       // the same of outlines of coarse facets, and of cores of threads
+constexpr double of_outline = 0.2;       // the same of outlines of coarse facets, and of roots of threads
 constexpr double along_diameter = 1e-3;  // radians between a line and the diameter that it follows
 
 // Seen from the centre, in lengths of the spokes.
@@ -33,11 +33,16 @@ bool is_along(const std::array<Vec2, 2>& line, double off) {
          std::abs(cross(along, spoke)) >= std::abs(glm::dot(along, spoke));
 }
 
+// Whether a part of a line is beside the arc.
 bool is_on_arc(const std::array<Vec2, 2>& line, const MeasuredCircle& circle) {
   if (circle.is_whole()) return true;
-  const Vec2 spoke = circle.of_spokes((line[0] + line[1]) / 2.0);
-  const double off = std::remainder(portable_atan2(spoke.y, spoke.x) - circle.first - circle.sweep / 2, full_turn);
-  return std::abs(off) <= std::abs(circle.sweep) / 2;
+  const auto angle_of = [&circle](const Vec2& p) {
+    const Vec2 spoke = circle.of_spokes(p);
+    return portable_atan2(spoke.y, spoke.x);
+  };
+  const double span = std::abs(std::remainder(angle_of(line[1]) - angle_of(line[0]), full_turn));
+  const double middle = angle_of((line[0] + line[1]) / 2.0) - circle.first - circle.sweep / 2;
+  return std::abs(std::remainder(middle, full_turn)) <= (std::abs(circle.sweep) + span) / 2;
 }
 
 // Whether a line lies on the face around the axis of a circle; one that is no edge of a file ends amid facets.
@@ -85,13 +90,20 @@ std::vector<Disc> holes_on(const MeasuredCircle& circle, const drawing::ViewDraw
 std::vector<LineOfCircle> lines_along(const drawing::ViewDrawing& drawing, const MeasuredCircle& circle,
                                       const world::World* world) {
   std::vector<LineOfCircle> lines;
-  for (const drawing::Segment& segment : drawing.segments) {
-    const auto line = in_circle(segment, circle);
-    const bool is_outline = segment.kind == EdgeKind::contour;  // as of balls, of which facets are anywhere beside it
-    if (is_along(line, is_outline ? of_outline : by_facets) && is_on_arc(line, circle) &&
-        (is_outline || world == nullptr || is_on_face(segment, drawing, circle, *world)))
-      lines.push_back({line, segment.visible});
-  }
+  const auto add_within = [&](double off, bool only_outlines) {
+    for (const drawing::Segment& segment : drawing.segments) {
+      const auto line = in_circle(segment, circle);
+      // As of balls and rounded edges, which have a radius and are seen as circles: edges beside them are none of
+      // theirs. Roots of threads are drawn beside the core that the model has.
+      const bool is_outline = segment.kind == EdgeKind::thread ||
+                              (segment.kind == EdgeKind::contour && circle.is_radius && !circle.spokes);
+      if ((is_outline || !only_outlines) && is_along(line, off) && is_on_arc(line, circle) &&
+          (is_outline || world == nullptr || is_on_face(segment, drawing, circle, *world)))
+        lines.push_back({line, segment.visible});
+    }
+  };
+  add_within(by_facets, false);
+  if (lines.empty()) add_within(of_outline, true);
   check(lines.size() <= drawing.segments.size(), "lines of a circle are lines of its view");
   return lines;
 }
