@@ -288,7 +288,8 @@ std::vector<scene::FeatureCircle> rims_of(const DimensionDescription& dimension,
            (!is_round || features::are_parallel(axis, dimension.circle->axis));
   };
   for (const features::HoleFeature& hole : features.holes)
-    if (is_its(hole.mouth, hole.axis, hole.called()))
+    if (is_its(hole.mouth, hole.axis, hole.called()) &&
+        (!is_round || features::are_same(hole.called() / 2, dimension.circle->radius)))
       for (scene::FeatureCircle& rim : rims_of(hole)) rims.push_back(std::move(rim));
   for (const features::CylinderFeature& one : features.cylinders)
     if (is_its(one.from, one.axis, one.called()) &&

@@ -154,6 +154,15 @@ TEST_F(AutomaticViews, LookIntoBores) {
   EXPECT_GT(note, bottom);
 }
 
+// Of a disc that the flange hides below, not even a bore on its axis shows the size.
+TEST_F(AutomaticViews, LeaveOutWhatAnAxonometricViewHides) {
+  const Outcome drawn = epura({"draw", EPURA_TEST_SAMPLES "/models/flange.obj", "--projection", "isometric",
+                               "--dimensions", "auto", "-o", "a.svg"},
+                              folder_ / "");
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_TRUE(contains(drawn.err, "left out: '⌀138'")) << drawn.err;
+}
+
 // A template has a size of its own.
 TEST_F(AutomaticViews, AreOnThePaperOfATemplate) {
   const Outcome drawn = epura({"draw", "block.obj", "--dimensions", "auto", "--template",
