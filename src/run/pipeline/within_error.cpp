@@ -29,7 +29,7 @@ DrawnScene draw_within_error(double max_error, double certain, const Messages& m
       return drawn;
     } catch (const TooFar& attempt) {
       if (!best || attempt.least < best->least) best = attempt;
-      const double factor = finer_by(attempt, last, finer);
+      const double factor = attempt.beyond_facets > max_error ? 1 : finer_by(attempt, last, finer);
       if (factor == 1) {
         held.tell(messages);
         refuse(max_error, *best);

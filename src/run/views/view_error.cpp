@@ -19,6 +19,14 @@ using report::ErrorTerm;
 
 std::string millimetres(double length) { return report::rounded_up(length) + " mm"; }
 
+// What does not depend on what is drawn, and so on no facets.
+double bound_of(const report::ViewError& error) {
+  double bound = 0;
+  for (std::size_t i = 0; i < error.mm.size(); ++i)
+    if (row_of(static_cast<ErrorTerm>(i)).evidence == report::Evidence::bound) bound += error.mm[i];
+  return bound;
+}
+
 // The least --max-error that a view keeps which was drawn with `max_error`, mm.
 double least_max_error(const report::ViewError& error, double max_error, bool has_arcs) {
   double fixed = 0, shares = 0;
@@ -54,8 +62,10 @@ void expect_within(double max_error, bool has_arcs, std::span<const report::View
                                       [](const auto& one, const auto& other) { return one.total() < other.total(); });
   if (worst == errors.end() || worst->total() <= max_error) return;
   TooFar attempt{*worst, 0, facets};
-  for (const report::ViewError& error : errors)
+  for (const report::ViewError& error : errors) {
     attempt.least = std::max(attempt.least, least_max_error(error, max_error, has_arcs));
+    attempt.beyond_facets = std::max(attempt.beyond_facets, bound_of(error));
+  }
   throw attempt;
 }
 

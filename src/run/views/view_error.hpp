@@ -31,6 +31,7 @@ struct TooFar {
   report::ViewError worst;
   double least;  ///< the --max-error that it keeps, mm: what is chosen by it keeps to its share
   Facets facets;
+  double beyond_facets = 0;  ///< of a view, what the finest facets would leave, mm
 };
 
 /// Throws TooFar if a view is farther off than --max-error.
