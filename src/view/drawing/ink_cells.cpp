@@ -52,6 +52,14 @@ InkCells::InkCells(const Vec2& min, const Vec2& max, double least) {
 }
 
 std::vector<int> InkCells::find(const Vec2& from, const Vec2& to, double margin, Sectors wanted) const {
+  std::vector<int> found = find_in_any_order(from, to, margin, wanted);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  check(found.empty() || (found.front() >= 0 && found.back() < count_), "cells hold parts");
+  return found;
+}
+
+std::vector<int> InkCells::find_in_any_order(const Vec2& from, const Vec2& to, double margin, Sectors wanted) const {
   // Nearly all the time is spent waiting for memory. It is therefore asked for in all cells before the first is opened.
   std::vector<int> clusters, found;
   clusters.reserve(found_mostly);
@@ -70,9 +78,7 @@ std::vector<int> InkCells::find(const Vec2& from, const Vec2& to, double margin,
     for (int at = 0; at < cluster.count; ++at)
       if ((wanted >> cluster.sector[at] & 1) != 0) found.push_back(cluster.part[at]);
   }
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-  check(found.empty() || found.front() >= 0, "cells hold parts");
+  check(count_ > 0 || found.empty(), "cells hold parts");
   return found;
 }
 

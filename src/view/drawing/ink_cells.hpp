@@ -40,6 +40,9 @@ class InkCells {
   /// duplicates; only those in `wanted` if it is given.
   [[nodiscard]] std::vector<int> find(const Vec2& from, const Vec2& to, double margin,
                                       Sectors wanted = ~Sectors{}) const;
+  /// The same numbers in any order, and some more than once.
+  [[nodiscard]] std::vector<int> find_in_any_order(const Vec2& from, const Vec2& to, double margin,
+                                                   Sectors wanted = ~Sectors{}) const;
 
  private:
   struct Level {

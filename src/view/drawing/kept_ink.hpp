@@ -75,7 +75,10 @@ class InkParts {
     return cells;
   }
 
-  /// Works like InkCells::find.
+  /// Work like those of InkCells.
+  [[nodiscard]] std::vector<int> find_in_any_order(const Vec2& from, const Vec2& to, double margin) const {
+    return cells_.find_in_any_order(from, to, margin);
+  }
   [[nodiscard]] std::vector<int> find(const Vec2& from, const Vec2& to, double margin,
                                       Sectors sectors = ~Sectors{}) const {
     std::vector<int> found = cells_.find(from, to, margin, sectors);

@@ -132,7 +132,7 @@ void NearSearch::end_gap(bool is_near) {
 int NearSearch::nearest_kept(const Vec2& place) const {
   const double reach = std::numbers::sqrt2 * limits_.distance;
   std::pair<double, int> best{reach, -1};
-  for (const int number : kept_.parts().find(place, place, reach)) {
+  for (const int number : kept_.parts().find_in_any_order(place, place, reach)) {
     const std::array<Vec2, 2>& line = kept_.parts().line(number);
     if (!may_be_within(line, place, best.first)) continue;
     const double distance = glm::distance(nearest_on(line, place), place);
