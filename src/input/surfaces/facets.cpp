@@ -106,6 +106,46 @@ std::vector<std::array<Side, 3>> sides_of(const mesh::Mesh& mesh, const std::vec
   return sides;
 }
 
+// Exchanges the sides of a triangle; its first corner stays.
+void turn(Facets& f, int triangle) {
+  std::swap(f.corners[triangle][1], f.corners[triangle][2]);
+  std::swap(f.sides[triangle][0], f.sides[triangle][2]);
+}
+
+// Whether a triangle turns against its neighbour at a side: both have it in the same direction.
+bool turns_against(const Facets& f, int triangle, int side) {
+  const int from = f.corners[triangle][side], to = f.corners[triangle][(side + 1) % 3];
+  const auto& other = f.corners[f.sides[triangle][side].neighbour];
+  for (int k = 0; k < 3; ++k)
+    if (other[k] == from && other[(k + 1) % 3] == to) return true;
+  return false;
+}
+
+// Turns the triangles of a file that turns them either way like their neighbours, and outwards what encloses something:
+// the result must not depend on how they turn.
+void turn_alike(Facets& f) {
+  std::vector<char> is_reached(f.corners.size(), 0);
+  for (std::size_t t = 0; t < f.corners.size(); ++t) {
+    if (is_reached[t] != 0) continue;
+    std::vector<int> joined{static_cast<int>(t)};
+    is_reached[t] = 1;
+    double volume = 0;
+    for (std::size_t i = 0; i < joined.size(); ++i) {
+      const auto& [a, b, c] = f.corners[joined[i]];
+      volume += glm::dot(f.points[a], glm::cross(f.points[b], f.points[c]));
+      for (int side = 0; side < 3; ++side) {
+        const int next = f.sides[joined[i]][side].neighbour;
+        if (next < 0 || is_reached[next] != 0) continue;
+        if (turns_against(f, joined[i], side)) turn(f, next);
+        is_reached[next] = 1;
+        joined.push_back(next);
+      }
+    }
+    if (volume < 0)
+      for (const int one : joined) turn(f, one);
+  }
+}
+
 /// Largest first; among equals, the first by position. Both are rounded, so that it does not matter which corner of a
 /// triangle comes first in the file.
 struct Key {
@@ -463,6 +503,7 @@ double Facets::fold_at(int triangle, int side) const {
 Facets make_facets(const mesh::Mesh& mesh) {
   Facets facets = read_triangles(mesh);
   facets.sides = sides_of(mesh, facets.corners);
+  if (mesh.report.misoriented_edges > 0) turn_alike(facets);
   Triangles triangles = measured(facets);
   facets = with_supports(Flattening(mesh, triangles, std::move(facets)).run());
   facets.normals = std::move(triangles.normals);

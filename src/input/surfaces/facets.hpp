@@ -34,7 +34,7 @@ struct Facets {
   double tolerance;  ///< greatest distance at which a point counts as lying on a surface
   double slack;      ///< residuals that a face rises at least over its facets
   std::vector<Vec3> points;
-  std::vector<std::array<int, 3>> corners;  ///< of triangles
+  std::vector<std::array<int, 3>> corners;  ///< of triangles, which turn like their neighbours
   std::vector<std::array<Side, 3>> sides;   ///< of triangles; side i from corner i to the next
   std::vector<Vec3> normals;                ///< unit, of triangles; zero if they have no area
   std::vector<int> facet_of;                ///< of triangles

@@ -174,6 +174,14 @@ TEST(OrderOfAFile, DoesNotMatter) {
   }
 }
 
+TEST(OrderOfAFile, NorDoesWhichWayTrianglesTurn) {
+  for (auto& [name, part] : zoo()) {
+    const Recognised plain = recognised(part, {});
+    for (std::size_t f = 0; f < part.faces.size(); f += 2) std::ranges::reverse(part.faces[f]);
+    EXPECT_TRUE(recognised(part, {}) == plain) << name;
+  }
+}
+
 TEST(OrderOfAFile, NeitherDoNamesOfAxesAndTheUnit) {
   const std::vector<Variant> variants{{1, {1, 2, 0}, {1, 1, 1}},          {2, {2, 0, 1}, {1, 1, 1}},
                                       {3, {1, 0, 2}, {1, 1, 1}},          {4, {0, 1, 2}, {-1, 1, 1}},
