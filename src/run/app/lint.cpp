@@ -122,6 +122,8 @@ std::string axes_of(const report::Report& report) {
                            : count.faults == 1 ? "1 fault"
                                                : std::to_string(count.faults) + " faults");
     if (count.accepted > 0) append_to_list(line, std::to_string(count.accepted) + " accepted");
+    if (axis == Axis::fidelity && count.undecided > 0)
+      append_to_list(line, std::to_string(count.undecided) + " not judged");
     text += axis_name(axis) + ": " + line + "\n";
   }
   return text;

@@ -12,6 +12,7 @@
 #include "features/assembly_features.hpp"
 #include "features/true_extents.hpp"
 #include "sizes/free_faces.hpp"
+#include "sizes/text_judge.hpp"
 
 namespace epura::pipeline {
 
@@ -113,9 +114,15 @@ HatchedFaces add_free_faces(report::Report& report, sheet::FreeFaces found, cons
                                      [](const auto& one) { return one.kind == report::FindingKind::repeated; });
   if (!any_twice) found.repeated.clear();
   for (const std::string& what : found.repeated) report.findings.push_back({report::FindingKind::follows, "", what});
-  for (const std::string& what : found.untrue) report.findings.push_back({report::FindingKind::untrue, "", what});
   if (found.count.all > 0) report.sizes.push_back(std::move(found.count));
   return {{faulty.begin(), faulty.end()}, std::move(found.numbers)};
+}
+
+sheet::LeaderNote leader_note(const scene::NoteText& note, const ViewCallout& callout) {
+  sheet::LeaderNote found;
+  for (const std::string& line : note.lines) found.text += (found.text.empty() ? "" : " ") + line;
+  if (const Vec3* at = std::get_if<Vec3>(&callout.to)) found.at = *at;
+  return found;
 }
 
 }  // namespace
@@ -131,6 +138,9 @@ std::vector<sheet::DimensionsInView> anchored_dimensions(const world::World& wor
     views.back().has_centre_lines = sheet.plans[i].options.centre_lines;
     for (const sheet::HoleTable& table : annotations[i].tables)
       for (const sheet::HoleRow& row : table.rows) views.back().sizes_in_tables[row.label] = row.size;
+    for (const ViewCallout& callout : annotations[i].callouts)
+      if (const auto* note = std::get_if<scene::NoteText>(&callout.description.content))
+        views.back().notes.push_back(leader_note(*note, callout));
     if (turned) views.back().turned_about = turned->axis();
   }
   return views;
@@ -148,6 +158,9 @@ HatchedFaces add_missing_sizes(report::Report& report, const JudgedSheets& sheet
   sheet::FreeFaces found = sheet::find_free_faces(views, world, features::true_extents(world),
                                                   notation_of(world, scene.sheets.front()), granted.rules);
   add_uncovered_sizes(report, sheets, found.held, progress);
+  const sheet::JudgedTexts texts = sheet::judge_texts(views, world, notation_of(world, scene.sheets.front()));
+  for (const std::string& what : texts.untrue) report.findings.push_back({report::FindingKind::untrue, "", what});
+  for (const std::string& what : texts.unjudged) report.findings.push_back({report::FindingKind::unjudged, "", what});
   return add_free_faces(report, std::move(found), granted);
 }
 

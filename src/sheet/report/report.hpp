@@ -82,6 +82,7 @@ enum class FindingKind {
   undecided,
   contradictory,
   untrue,
+  unjudged,
   crossing,
   fan,
   small_text,
@@ -98,12 +99,13 @@ struct FindingRow {
 };
 
 /// By FindingKind.
-inline constexpr std::array<FindingRow, 11> finding_rows{{
+inline constexpr std::array<FindingRow, 12> finding_rows{{
     {"not drawn", Axis::requirements},
     {"not dimensioned", Axis::completeness},
     {"cannot tell", Axis::completeness, false},
     {"contradictory", Axis::fidelity},
     {"untrue", Axis::fidelity},
+    {"not judged", Axis::fidelity, false},
     {"crossing", Axis::legibility},
     {"crowded", Axis::legibility},
     {"too small", Axis::legibility},

@@ -14,12 +14,19 @@
 
 namespace epura::sheet {
 
+/// A note whose leader ends in a view.
+struct LeaderNote {
+  std::string text;          ///< its lines, one behind the other
+  std::optional<Vec3> at{};  ///< where the leader ends; nothing if that is a place on the page
+};
+
 struct DimensionsInView {
   std::string view;
   projection::Projection projection;
   std::vector<AnchoredDimension> dimensions;  ///< in the world, where an aligned section turns nothing
   std::optional<Vec3> turned_about{};  ///< of an aligned section: the direction in which lengths stay as they are
   bool has_centre_lines = true;
+  std::vector<LeaderNote> notes{};
   std::map<std::string, std::string> sizes_in_tables{};  ///< of holes, by label: "A1", "⌀8 ↧20"
 };
 

@@ -12,7 +12,6 @@
 #include "base/angle.hpp"
 #include "base/disjoint_sets.hpp"
 #include "base/error.hpp"
-#include "base/text.hpp"
 #include "definition/limits.hpp"
 #include "features/tolerances.hpp"
 #include "sizes/equal_features.hpp"
@@ -131,7 +130,7 @@ class Reader {
       case DimensionType::radius:
       case DimensionType::diameter:
         read_circle(dimension, place);
-        if (!dimension.circles.empty()) read_note(with_row(dimension, view), view.projection.n, place);
+        if (!dimension.circles.empty()) read_note(with_row(dimension, view), view.projection.n);
         break;
       default:
         break;
@@ -141,8 +140,6 @@ class Reader {
       // The exact place of a tolerance zone or a datum target is none of a face.
       if (!dimension.is_exact) found_.unread.push_back(place);
     } else if (const std::optional<StatedSize> size = stated_size(dimension, view, notation_)) {
-      if (std::abs(size->stated - size->measured) > size->slack * (1 + definition::same_size))
-        found_.untrue.push_back({place, format_rounded(size->measured / size->unit, 6)});
       state_text(found_.statements[before], *size, dimension, view);
     }
   }
@@ -465,7 +462,6 @@ class Reader {
     Radii radii = radii_of(dimension, place, true);
     if (static_cast<int>(radii.lines.size()) > repeats) radii = radii_of(dimension, place, false);
     auto& [own, equal, lines] = radii;
-    const std::size_t faces = own.size() + equal.size();
     for (const WorldCircle& circle : dimension.circles) {
       Row rim = measured_.rim(circle);
       for (definition::Term& term : rim) term.factor /= 2;  // as that of a radius
@@ -478,20 +474,17 @@ class Reader {
     if (dimension.is_label)
       for (const WorldCircle& circle : dimension.circles) say_by_table(circle);
     const bool is_radius = dimension.type == DimensionType::radius;
-    const std::size_t rims = repeats > 1 ? say_equal_rims(dimension.circles.front(), repeats) : 0;
-    if (repeats > 1 && faces + rims < static_cast<std::size_t>(repeats))
-      found_.untrue.push_back({place, std::to_string(faces + rims) + " of these"});
+    if (repeats > 1) say_equal_rims(dimension.circles.front(), repeats);
     if (is_radius || repeats > 1) say_by_count(std::move(equal), static_cast<int>(lines.size()) <= repeats);
   }
 
-  // Of cones along parallel axes, for "3×". How many there are.
-  std::size_t say_equal_rims(const WorldCircle& circle, int repeats) {
+  // Of cones along parallel axes, for "3×".
+  void say_equal_rims(const WorldCircle& circle, int repeats) {
     std::vector<Row> rows;
     for (const WorldCircle& rim : measured_.rims_of_cones(circle.radius))
       if (features::are_parallel(rim.axis, circle.axis)) rows.push_back(measured_.rim(rim));
-    const std::size_t count = rows.size();
-    say_by_count(std::move(rows), static_cast<int>(count) <= repeats);
-    return count;
+    const bool is_certain = static_cast<int>(rows.size()) <= repeats;
+    say_by_count(std::move(rows), is_certain);
   }
 
   // A table gives places from one end of the models, where a plane or the axis of the whole is.
@@ -509,19 +502,11 @@ class Reader {
   // What stands behind a diameter: depths, counterbores, countersinks and threads of faces around the axis, and for
   // "4×" around all axes with the same circle. Nothing else than its size tells which face a number means; of circles
   // of one diameter, a note means those that have all its numbers.
-  void read_note(const AnchoredDimension& dimension, const Vec3& sight, const DimensionPlace& place) {
+  void read_note(const AnchoredDimension& dimension, const Vec3& sight) {
     const std::vector<NotedNumber> numbers = noted_numbers(dimension.text, notation_);
-    const bool is_thread = gives_thread(dimension.text);
+    const bool is_thread = gives_thread(dimension.text, notation_);
     std::vector<WorldCircle> circles = noted_.equal_circles(dimension);
     std::vector<WorldCircle> meant = noted_.with_all(circles, numbers);
-    // Without a recess, a diameter may be that of the circle on which the holes are.
-    const bool has_recess =
-        dimension.text.find("⌴") != std::string::npos || dimension.text.find("⌵") != std::string::npos;
-    for (std::size_t i = 0; i < numbers.size() && meant.empty() && !is_thread; ++i) {
-      const bool is_other = numbers[i].kind == NumberKind::diameter && (i == 0 || !has_recess);
-      if (numbers[i].kind != NumberKind::any && !is_other && noted_.with_all(circles, {&numbers[i], 1}).empty())
-        found_.untrue.push_back({place, "nothing of " + written(numbers[i]) + " there"});
-    }
     check(meant.size() <= circles.size(), "a note means some of the circles of its size");
     if (!meant.empty()) circles = std::move(meant);
     for (WorldCircle& one : circles)
@@ -569,11 +554,6 @@ class Reader {
       });
     });
     return circles;
-  }
-
-  [[nodiscard]] std::string written(const NotedNumber& number) const {
-    if (number.kind == NumberKind::degrees) return angle_text(number.value, notation_);
-    return (number.kind == NumberKind::depth ? "↧" : "⌀") + length_text(number.value, notation_);
   }
 
   const definition::Part& part_;

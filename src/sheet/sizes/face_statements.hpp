@@ -13,17 +13,10 @@
 
 namespace epura::sheet {
 
-/// A text that states what the part has not.
-struct UntrueText {
-  DimensionPlace place;
-  std::string has;  ///< the part, there: "60", "3 of these"
-};
-
 struct FaceStatements {
   std::vector<definition::Statement> statements;
   std::vector<DimensionPlace> of;      ///< the dimension of each
   std::vector<DimensionPlace> unread;  ///< dimensions of which nobody can tell what they measure
-  std::vector<UntrueText> untrue;
 };
 
 /// Of auxiliary dimensions, which are in brackets, nothing. What a text says beside the measured value is a statement

@@ -130,8 +130,6 @@ FreeFaces find_free_faces(std::span<const DimensionsInView> views, const world::
     found.undecided.push_back(
         "whether the texts of dimensions hold " +
         (uncertain > 0 ? named_faces(doubted) : "the part, a motion of which they hardly change"));
-  for (const UntrueText& text : said.untrue)
-    found.untrue.push_back(names.name_of(text.place) + ": the part has " + text.has);
   found.repeated = repeated_in(account, said, names);
   for (const std::vector<int>& list : account.contradictory) {
     std::vector<DimensionPlace> places;

@@ -30,7 +30,6 @@ struct FreeFaces {
   std::vector<std::string> repeated;                          ///< dimensions that follow from others, and from which
   std::vector<std::string> undecided;                         ///< what keeps anyone from telling
   std::vector<std::string> contradictory;                     ///< dimensions that cannot all be true
-  std::vector<std::string> untrue;                            ///< texts that state another value than the part has
   report::SizeCount count{"faces held by dimensions", 0, 0};  ///< of all kinds; none of free forms
 };
 

@@ -20,9 +20,11 @@ struct NotedNumber {
   double of = 0;  ///< the diameter before it, in mm, to which a depth or an angle belongs; 0: that of the note
 };
 
-/// All numbers of a note, without the count before "×" at its beginning; their kind by the signs before and behind
-/// them.
-std::vector<NotedNumber> noted_numbers(std::string text, const Notation& notation);
+/// All numbers of a note, as its elements say them (note_text.hpp), without the count and the names of threads.
+std::vector<NotedNumber> noted_numbers(const std::string& text, const Notation& notation);
+
+/// What a dimension measures, in mm or degrees; nothing for several lengths, and where an aligned section turns it.
+std::optional<double> measured_size(const AnchoredDimension& dimension, const DimensionsInView& view);
 
 /// Lengths, radii and diameters in mm, angles in degrees.
 struct StatedSize {
@@ -31,14 +33,13 @@ struct StatedSize {
   double unit;   ///< in which it is written
 };
 
-/// The size with which a text begins, behind its count and sign, whatever follows; between limits, that which is
-/// nearest to what the part has there. Nothing for texts that stand for the measured value, and where it may be
-/// something else.
+/// The size that a text states, whatever follows; between limits, that which is nearest to what the part has there.
+/// Nothing for texts that stand for the measured value, and where it may be something else.
 std::optional<StatedSize> stated_size(const AnchoredDimension& dimension, const DimensionsInView& view,
                                       const Notation& notation);
 
 /// Whether a text has a thread with the sizes of a standard.
-bool gives_thread(std::string_view text);
+bool gives_thread(const std::string& text, const Notation& notation);
 
 /// Whether a dimension gives what it measures: by its value, or by a thread. "see note" does not.
 bool gives_size(const AnchoredDimension& dimension, const DimensionsInView& view, const Notation& notation);

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
+#include <tuple>
 
 #include "../output/json_reader.hpp"
 #include "base/file.hpp"
@@ -139,6 +141,51 @@ TEST_F(LintAxes, OfFidelityHasTextsThatAreUntrue) {
   EXPECT_EQ(found()["axes"]["fidelity"]["faults"].number(), 1) << run.out << run.err;
   EXPECT_EQ(found()["axes"]["completeness"]["faults"].number(), 0) << run.out;
   EXPECT_TRUE(contains(run.out, "fidelity: 1 fault\n")) << run.out;
+}
+
+// Two blocks on a plate, of which none is dimensioned by itself.
+TEST_F(LintAxes, OfAssembliesJudgeTexts) {
+  std::string obj;
+  int first = 1;
+  for (const auto& [name, low, high] :
+       {std::tuple("plate", Vec3(0, 0, 0), Vec3(60, 40, 10)), std::tuple("post", Vec3(10, 10, 10), Vec3(18, 18, 40)),
+        std::tuple("pin", Vec3(35, 25, 10), Vec3(43, 33, 40))}) {
+    obj += std::string("o ") + name + "\n";
+    for (const double z : {low.z, high.z})
+      for (const double y : {low.y, high.y})
+        for (const double x : {low.x, high.x})
+          obj += "v " + std::to_string(x) + " " + std::to_string(y) + " " + std::to_string(z) + "\n";
+    for (const std::array<int, 4>& face : {std::array{0, 2, 3, 1}, std::array{4, 5, 7, 6}, std::array{0, 1, 5, 4},
+                                           std::array{2, 6, 7, 3}, std::array{0, 4, 6, 2}, std::array{1, 3, 7, 5}}) {
+      obj += "f";
+      for (const int corner : face) obj += " " + std::to_string(first + corner);
+      obj += "\n";
+    }
+    first += 8;
+  }
+  folder_.file("assembly.obj", obj);
+  const auto judged = [&](const std::string& rest) {
+    return epura({"lint", folder_.file("assembly.toml",
+                                       "views = ['front', 'top', 'left']\n[[model]]\nfile = "
+                                       "'assembly.obj'\n[[dimension]]\ntype = 'auto'\n" +
+                                           rest)},
+                 folder_ / "");
+  };
+  EXPECT_TRUE(contains(judged("").out, "fidelity: no fault\n")) << judged("").out;
+  const Outcome run = judged("[[dimension]]\nmatch = '25'\ntext = '26'\n");
+  EXPECT_EQ(run.code, 1);
+  EXPECT_TRUE(contains(run.out, "': the part has 25\n")) << run.out << run.err;
+}
+
+// At the point of a block, where no hole is.
+TEST_F(LintAxes, OfNotesWithLeadersAreJudgedOrTold) {
+  const std::string note = "[[note]]\nview = 'front'\nto = {point = [30, 0, 10]}\ntext = ";
+  const Outcome run = lint(ends_of_slope() + note + "'⌀8 THRU'\n");
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_TRUE(contains(run.out, "not judged: '⌀8 THRU' in view 'front'")) << run.out;
+  EXPECT_TRUE(contains(run.out, "fidelity: no fault, 1 not judged\n")) << run.out;
+  EXPECT_EQ(found()["axes"]["fidelity"]["undecided"].number(), 1);
+  EXPECT_FALSE(contains(lint(ends_of_slope() + note + "'polished'\n").out, "not judged"));
 }
 
 TEST_F(LintAxes, OfACompleteDrawingHaveNoFault) {

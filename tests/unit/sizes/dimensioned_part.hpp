@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "features/assembly_features.hpp"
@@ -15,6 +16,7 @@
 #include "sizes/automatic.hpp"
 #include "sizes/free_faces.hpp"
 #include "sizes/rebuilt_part.hpp"
+#include "sizes/text_judge.hpp"
 
 namespace epura::test {
 
@@ -37,6 +39,11 @@ inline std::vector<sheet::NamedProjection> three_views() {
   }
   return views;
 }
+
+/// What is said of a part, and of its texts.
+struct Said : sheet::FreeFaces {
+  std::vector<std::string> untrue, unjudged;
+};
 
 /// A part, and its automatic dimensions in three views.
 class DimensionedPart {
@@ -65,13 +72,13 @@ class DimensionedPart {
 
   definition::RuleSet rules = definition::rules_of(definition::Standard::iso);
 
-  [[nodiscard]] sheet::FreeFaces free() const { return find_in(views_); }
+  [[nodiscard]] Said free() const { return find_in(views_); }
 
   /// Without one of its dimensions, counted over all views.
-  [[nodiscard]] sheet::FreeFaces free_without(std::size_t number) const { return find_in(views_without(number)); }
+  [[nodiscard]] Said free_without(std::size_t number) const { return find_in(views_without(number)); }
 
   /// With another text of one of them, and with a second one of the same if `doubled`.
-  [[nodiscard]] sheet::FreeFaces with_text(std::size_t number, const std::string& text, bool doubled) const {
+  [[nodiscard]] Said with_text(std::size_t number, const std::string& text, bool doubled) const {
     std::vector<sheet::DimensionsInView> views = views_;
     for (sheet::DimensionsInView& view : views) {
       if (number < view.dimensions.size()) {
@@ -85,8 +92,8 @@ class DimensionedPart {
   }
 
   /// With another text of one of them, and a second one like it that is changed.
-  [[nodiscard]] sheet::FreeFaces with_second(std::size_t number, const std::string& text,
-                                             const std::function<void(sheet::AnchoredDimension&)>& change) const {
+  [[nodiscard]] Said with_second(std::size_t number, const std::string& text,
+                                 const std::function<void(sheet::AnchoredDimension&)>& change) const {
     std::vector<sheet::DimensionsInView> views = views_;
     for (sheet::DimensionsInView& view : views) {
       if (number < view.dimensions.size()) {
@@ -100,14 +107,14 @@ class DimensionedPart {
     return find_in(views);
   }
 
-  [[nodiscard]] sheet::FreeFaces without_centre_lines() const {
+  [[nodiscard]] Said without_centre_lines() const {
     std::vector<sheet::DimensionsInView> views = views_;
     for (sheet::DimensionsInView& view : views) view.has_centre_lines = false;
     return find_in(views);
   }
 
   /// With another text in the row of a label.
-  [[nodiscard]] sheet::FreeFaces with_row(const std::string& label, const std::string& size) const {
+  [[nodiscard]] Said with_row(const std::string& label, const std::string& size) const {
     std::vector<sheet::DimensionsInView> views = views_;
     for (sheet::DimensionsInView& view : views)
       if (view.sizes_in_tables.contains(label)) view.sizes_in_tables[label] = size;
@@ -124,8 +131,10 @@ class DimensionedPart {
   sheet::Notation notation;  ///< in which texts are read
 
  private:
-  [[nodiscard]] sheet::FreeFaces find_in(const std::vector<sheet::DimensionsInView>& views) const {
-    return sheet::find_free_faces(views, world_, extents_, notation, rules);
+  [[nodiscard]] Said find_in(const std::vector<sheet::DimensionsInView>& views) const {
+    sheet::JudgedTexts texts_judged = sheet::judge_texts(views, world_, notation);
+    return {sheet::find_free_faces(views, world_, extents_, notation, rules), std::move(texts_judged.untrue),
+            std::move(texts_judged.unjudged)};
   }
 
   [[nodiscard]] std::vector<sheet::DimensionsInView> views_without(std::size_t number) const {

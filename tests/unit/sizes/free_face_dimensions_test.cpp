@@ -65,7 +65,7 @@ std::size_t needed(const DimensionedPart& sheet) {
 }
 
 void expect_defined(const DimensionedPart& sheet, const std::string& name) {
-  const sheet::FreeFaces free = sheet.free();
+  const Said free = sheet.free();
   for (const sheet::FreeFace& one : free.free) ADD_FAILURE() << name << ": " << one.sentence;
   for (const std::string& one : free.undecided) ADD_FAILURE() << name << ": " << one;
   EXPECT_EQ(free.count.given, free.count.all) << name;

@@ -38,7 +38,7 @@ TEST(FreeFaces, AreNoneIfAllAreHeld) {
 TEST(FreeFaces, AreToldForEachDimensionThatIsMissing) {
   const DimensionedPart sheet(sloped_block);
   for (std::size_t i = 0; i < sheet.texts.size(); ++i) {
-    const sheet::FreeFaces free = sheet.free_without(i);
+    const Said free = sheet.free_without(i);
     ASSERT_EQ(free.free.size(), 1U) << i;
     EXPECT_NE(free.free[0].sentence.find("; add a"), std::string::npos) << told(free);
     EXPECT_NE(free.free[0].sentence.find(" in view '"), std::string::npos) << told(free);
@@ -51,7 +51,7 @@ TEST(FreeFaces, ReadTextsInTheUnitOfTheSheet) {
   DimensionedPart sheet(sloped_block);
   sheet.notation.unit = Unit::in;
   EXPECT_TRUE(sheet.with_text(0, "2.362", false).untrue.empty());
-  const sheet::FreeFaces changed = sheet.with_text(0, "2.372", false);
+  const Said changed = sheet.with_text(0, "2.372", false);
   ASSERT_EQ(changed.untrue.size(), 1U);
   EXPECT_NE(changed.untrue[0].find("the part has 2.3622"), std::string::npos) << changed.untrue[0];
 }
@@ -59,15 +59,15 @@ TEST(FreeFaces, ReadTextsInTheUnitOfTheSheet) {
 TEST(FreeFaces, AreOfNoConcernToTextsThatAreUntrue) {
   const DimensionedPart sheet(sloped_block);
   for (std::size_t i = 0; i < sheet.texts.size(); ++i) {
-    const sheet::FreeFaces changed = sheet.with_text(i, "71", false);
+    const Said changed = sheet.with_text(i, "71", false);
     EXPECT_EQ(told(changed), "") << i;
     EXPECT_EQ(changed.untrue.size(), 1U) << i;
     EXPECT_TRUE(changed.contradictory.empty()) << i;
-    const sheet::FreeFaces doubled = sheet.with_text(i, "71", true);
+    const Said doubled = sheet.with_text(i, "71", true);
     EXPECT_EQ(doubled.untrue.size(), 1U) << i;
     ASSERT_EQ(doubled.contradictory.size(), 1U) << i;
     EXPECT_NE(doubled.contradictory[0].find("cannot all be true"), std::string::npos) << doubled.contradictory[0];
-    const sheet::FreeFaces repeated = sheet.with_text(i, "<>", true);
+    const Said repeated = sheet.with_text(i, "<>", true);
     EXPECT_TRUE(repeated.contradictory.empty()) << i;
     EXPECT_TRUE(repeated.untrue.empty()) << i;
   }
@@ -128,7 +128,7 @@ TEST(FreeFaces, AreThoseOfPartsWithOneDimensionLess) {
       EXPECT_EQ(sheet.free().count.given, sheet.free().count.all) << name;
       std::size_t of_place = 0;
       for (std::size_t k = 0; k < sheet.texts.size(); ++k) {
-        const sheet::FreeFaces less = sheet.free_without(k);
+        const Said less = sheet.free_without(k);
         // An auxiliary dimension holds nothing.
         if (sheet.texts[k].starts_with("(")) {
           EXPECT_EQ(told(less), "") << name << " without " << sheet.texts[k];
@@ -153,7 +153,7 @@ TEST(FreeFaces, AreFoundInPartsThatAreDefinedTooLittleOrTooMuch) {
     for (const KnownPart& one : family.parts) {
       const DimensionedPart sheet(one.obj);
       SCOPED_TRACE(one.name);
-      const sheet::FreeFaces whole = sheet.free();
+      const Said whole = sheet.free();
       const std::size_t number = 7 * ++parts % sheet.texts.size();
       EXPECT_EQ(told(whole), "");
       EXPECT_TRUE(whole.contradictory.empty() && whole.untrue.empty());

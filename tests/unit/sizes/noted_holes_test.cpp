@@ -121,7 +121,7 @@ sheet::AutomaticPlan plan_of(const world::World& world, HoleDimensions holes,
 
 // Of lint and of define, one word for each fault.
 std::string faults_of(const DimensionedPart& part) {
-  const sheet::FreeFaces free = part.free();
+  const Said free = part.free();
   std::string text;
   for (const sheet::FreeFace& one : free.free) text += one.sentence + "\n";
   for (const std::string& one : free.undecided) text += one + "\n";
@@ -180,7 +180,7 @@ TEST(NotedHoles, AreCountedWithoutThoseThatHaveADimensionOfTheirOwn) {
   // The note is at one of the holes; the tolerance is at each of the others in turn, or at the same.
   int complete = 0;
   for (const double x : {20.0, 60.0, 100.0}) {
-    const sheet::FreeFaces faces = part.with_second(number, "2× ⌀6", [x](sheet::AnchoredDimension& other) {
+    const Said faces = part.with_second(number, "2× ⌀6", [x](sheet::AnchoredDimension& other) {
       other.text = "⌀6 ±0.1";
       other.circles.front().centre = Vec3(x, 15, 10);
     });
@@ -195,7 +195,7 @@ TEST(NotedHoles, FromBothSidesOnOneAxisAreTwo) {
   const DimensionedPart part(plate_drilled_from_both_sides());
   const std::size_t number = number_of(part, "2× <> ↧10");
   EXPECT_EQ(faults_of(part), "");
-  const sheet::FreeFaces one = part.with_text(number, "⌀6 ↧10", false);
+  const Said one = part.with_text(number, "⌀6 ↧10", false);
   EXPECT_TRUE(one.undecided.empty()) << testing::PrintToString(one.undecided);
   EXPECT_EQ(one.free.size(), 1U);
 }
@@ -220,13 +220,12 @@ TEST(NotedHoles, OnCentreLinesNeedNoAngle) {
 TEST(NotedHoles, ExactPlacesAreNoneOfFaces) {
   const DimensionedPart part(plate_with({{3, 10}, {3, 0}}, true));
   for (const bool is_exact : {false, true}) {
-    const sheet::FreeFaces faces =
-        part.with_second(number_of(part, ""), "(<>)", [is_exact](sheet::AnchoredDimension& other) {
-          other.type = DimensionType::linear;
-          other.direction = DimensionDirection::horizontal;
-          other.points = {{7, 0, 3}, {13, 0, 3}};
-          other.is_exact = is_exact;
-        });
+    const Said faces = part.with_second(number_of(part, ""), "(<>)", [is_exact](sheet::AnchoredDimension& other) {
+      other.type = DimensionType::linear;
+      other.direction = DimensionDirection::horizontal;
+      other.points = {{7, 0, 3}, {13, 0, 3}};
+      other.is_exact = is_exact;
+    });
     EXPECT_EQ(faces.undecided.empty(), is_exact) << testing::PrintToString(faces.undecided);
     EXPECT_EQ(faces.free.empty(), !is_exact);
   }

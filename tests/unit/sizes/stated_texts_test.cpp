@@ -16,14 +16,14 @@ namespace epura::test::stated_texts_test {
 namespace {
 
 /// What is said of a part whose dimension with one text has another.
-sheet::FreeFaces said(const DimensionedPart& part, const std::string& text, const std::string& by) {
+Said said(const DimensionedPart& part, const std::string& text, const std::string& by) {
   const auto at = std::find(part.texts.begin(), part.texts.end(), text);
   EXPECT_NE(at, part.texts.end()) << text << " of " << testing::PrintToString(part.texts);
   return part.with_text(static_cast<std::size_t>(at - part.texts.begin()), by, false);
 }
 
 /// The untrue texts, without the view of each.
-std::string untrue(const sheet::FreeFaces& faces) {
+std::string untrue(const Said& faces) {
   std::string text;
   for (const std::string& one : faces.untrue) text += one.substr(0, one.find(" in view")) + one.substr(one.find(':'));
   return text;
@@ -71,7 +71,7 @@ TEST(StatedTexts, AreJudgedByTheirFirstSizeWhateverFollows) {
   const DimensionedPart part(sloped_block);
   for (const char* text : {"60", "60.0", "60,00", "60 ±0.1", "60 +0.2 -0.1", "60.2-59.9", "60.1/59.9", "60 H7",
                            "60 (2.36)", "2 off 60", "60 MAX", "<> H7"}) {
-    const sheet::FreeFaces faces = part.with_text(0, text, false);
+    const Said faces = part.with_text(0, text, false);
     EXPECT_EQ(untrue(faces) + told(faces), "") << text;
   }
   for (const char* text : {"60.1", "61 +0.2 -0.1", "61.2-61.1", "61.2 / 61.1", "61 H7", "59.9 (2.36)", "60.01 [2.36]"})
@@ -81,11 +81,31 @@ TEST(StatedTexts, AreJudgedByTheirFirstSizeWhateverFollows) {
 TEST(StatedTexts, OfNoSizeLeaveItOpen) {
   const DimensionedPart part(sloped_block);
   for (const char* text : {"see note", "A", "L1", "1/2"}) {
-    const sheet::FreeFaces faces = part.with_text(0, text, false);
+    const Said faces = part.with_text(0, text, false);
     ASSERT_EQ(faces.undecided.size(), 1U) << text;
     EXPECT_NE(faces.undecided[0].find("nobody can tell what this says"), std::string::npos) << faces.undecided[0];
   }
   for (const char* text : {"(60)", "60 REF"}) EXPECT_EQ(part.with_text(0, text, false).free.size(), 1U) << text;
+}
+
+TEST(StatedTexts, SayTheKindTheUnitAndTheCount) {
+  const DimensionedPart part(sloped_block);
+  for (const char* text : {"60 cm", "10 ±1 cm", "60 in", "60°", "R60", "⌀60", "SR60", "M60", "60 THRU", "60 ↧3",
+                           "60 (2.5 in)", "60 (61)", "(61)", "50 = 61", "6×10=61"})
+    EXPECT_EQ(part.with_text(0, text, false).untrue.size(), 1U) << text;
+  EXPECT_EQ(untrue(part.with_text(0, "2× 60", false)), "'2× 60': the part has 1 of these");
+  for (const char* text : {"60 (2.362 in)", "6 cm", "(60)", "60 ±0.1 mm"})
+    EXPECT_EQ(untrue(part.with_text(0, text, false)), "") << text;
+}
+
+TEST(StatedTexts, ThatNobodyUnderstandsAreTold) {
+  const DimensionedPart part(sloped_block);
+  EXPECT_TRUE(part.free().unjudged.empty()) << testing::PrintToString(part.free().unjudged);
+  for (const char* text : {"60-70", "6O", "sixty", "EQ SP 60", "□60", "see note"}) {
+    const Said faces = part.with_text(0, text, false);
+    EXPECT_EQ(untrue(faces), "") << text;
+    EXPECT_EQ(faces.unjudged.size(), 1U) << text;
+  }
 }
 
 TEST(StatedTexts, OfAnglesHaveMinutes) {
@@ -105,12 +125,45 @@ TEST(StatedTexts, OfNotesAreThoseOfTheHole) {
   EXPECT_EQ(told(part.free()), "");
   EXPECT_EQ(untrue(said(part, "<> ↧12", "⌀8 ↧12")), "");
   EXPECT_EQ(untrue(said(part, "<> ↧12", "⌀9 ↧12")), "'⌀9 ↧12': the part has 8");
-  EXPECT_EQ(untrue(said(part, "<> ↧12", "⌀8 ↧10")), "'⌀8 ↧10': the part has nothing of ↧10 there");
+  EXPECT_EQ(untrue(said(part, "<> ↧12", "⌀8 ↧10")), "'⌀8 ↧10': the part has ↧12 there");
   EXPECT_EQ(untrue(said(part, "<> ↧12", "<> ↧12 ⌵⌀12×90°")),
-            "'⌀8 ↧12 ⌵⌀12×90°': the part has nothing of ⌀12 there"
-            "'⌀8 ↧12 ⌵⌀12×90°': the part has nothing of 90° there");
+            "'⌀8 ↧12 ⌵⌀12×90°': the part has no countersink of ⌀12 there");
   EXPECT_EQ(untrue(said(part, "<> ↧12", "⌀8 ON ⌀56 BC ↧12")), "");
   EXPECT_EQ(untrue(said(part, "<> ↧12", "M8 ↧10")), "") << "the thread may be shorter than the hole";
+}
+
+// In a plate of 10: 6 is what is left below the recess.
+TEST(StatedTexts, OfRecessesAreThoseOfTheWallsAboutTheAxis) {
+  const DimensionedPart part(plate({30, 30}, 2, 2, 10, stepped_hole({{5, 10}, {5, 6}, {3, 6}, {3, 0}})));
+  const std::string own = "4× <> ⌴⌀10 ↧4";
+  for (const char* text : {"4× <> ⌴⌀10 ↧4", "4 HOLES ⌀6 C BORE ⌀10 X 4 DEEP", "4X ⌀6 CBORE ⌀10 DEPTH 4", "4× R3 ⌴R5 ↧4",
+                           "4× ⌀6 THRU ALL ⌴⌀10 ↧4"})
+    EXPECT_EQ(untrue(said(part, own, text)), "") << text;
+  const auto has = [&](const std::string& text) {
+    const std::string all = untrue(said(part, own, text));
+    return all.substr(std::min(all.size(), all.find("': the part has ")));
+  };
+  const std::string there = "': the part has ";
+  EXPECT_EQ(has("4× ⌀6 ⌴⌀10 ↧6"), there + "↧4 there");
+  EXPECT_EQ(has("4× ⌀6 C BORE ⌀10 X 6 DEEP"), there + "↧4 there");
+  EXPECT_EQ(has("4× ⌀6 ⌵⌀10×90°"), there + "a counterbore there");
+  EXPECT_EQ(has("4× ⌀6 ⌴⌀12 ↧4"), there + "no counterbore of ⌀12 there");
+  EXPECT_EQ(has("4× ⌀6 ↧6 ⌴⌀10 ↧4"), there + "a through hole there");
+  EXPECT_EQ(has("4× ⌀6 BLIND ⌴⌀10 ↧4"), there + "a through hole there");
+  EXPECT_EQ(has("5× ⌀6 ⌴⌀10 ↧4"), there + "4 of these");
+  EXPECT_EQ(untrue(said(DimensionedPart(block_with_point(118)), "<> ↧12", "⌀8 THRU")),
+            "'⌀8 THRU': the part has a blind hole there");
+}
+
+TEST(StatedTexts, OfCountersinksAreThoseOfTheirCone) {
+  const DimensionedPart part(plate({30, 30}, 2, 1, 10, stepped_hole({{6, 10}, {3, 7}, {3, 0}})));
+  const auto own = std::find_if(part.texts.begin(), part.texts.end(),
+                                [](const std::string& text) { return text.find("⌵") != std::string::npos; });
+  ASSERT_NE(own, part.texts.end()) << testing::PrintToString(part.texts);
+  for (const char* text : {"2× ⌀6 ⌵⌀12×90°", "2x Ø6 CSK Ø12 X 90°", "2× ⌀6 ⌵⌀12 ↧3"})
+    EXPECT_EQ(untrue(said(part, *own, text)), "") << text;
+  for (const char* text : {"2× ⌀6 ⌵⌀12×60°", "2× ⌀6 ⌵⌀13×90°", "2× ⌀6 ⌴⌀12 ↧3", "3× ⌀6 ⌵⌀12×90°", "2× ⌀6 ↧7 ⌵⌀12×90°"})
+    EXPECT_EQ(said(part, *own, text).untrue.size(), 1U) << text;
 }
 
 TEST(StatedTexts, CountWhatThereIs) {
@@ -135,7 +188,7 @@ TEST(StatedTexts, CountByARule) {
 
 TEST(StatedTexts, AreNoContradictionToThemselves) {
   const DimensionedPart part(ring_with_holes({0, 90, 180, 270}, 35, 4));
-  const sheet::FreeFaces faces = said(part, "4× <>", "4× ⌀9");
+  const Said faces = said(part, "4× <>", "4× ⌀9");
   EXPECT_EQ(untrue(faces), "'4× ⌀9': the part has 8");
   EXPECT_TRUE(faces.contradictory.empty()) << testing::PrintToString(faces.contradictory);
 }
@@ -153,7 +206,7 @@ TEST(StatedTexts, OfTablesAreThoseOfTheirHoles) {
   const DimensionedPart part(plate({30, 30}, 2, 2, 10, stepped_hole({{5, 10}, {5, 6}, {3, 6}, {3, 0}})),
                              HoleDimensions::table);
   EXPECT_EQ(told(part.free()) + untrue(part.free()), "") << testing::PrintToString(part.texts);
-  EXPECT_EQ(untrue(part.with_row("A2", "⌀6 ⌴⌀10 ↧5")), "'A2': the part has nothing of ↧5 there");
+  EXPECT_EQ(untrue(part.with_row("A2", "⌀6 ⌴⌀10 ↧5")), "'A2': the part has ↧4 there");
   EXPECT_NE(told(part.with_row("A2", "⌀6")), "");
 }
 
@@ -177,7 +230,7 @@ TEST(StatedTexts, OfPointsThatAreNotThoseOfDrillsHaveAnAngle) {
 TEST(StatedTexts, SayNothingOfAxesWithoutCentreLines) {
   const DimensionedPart part(shaft({{0, 0}, {0, 10}, {20, 10}, {20, 6}, {50, 6}, {50, 0}}));
   EXPECT_EQ(told(part.free()), "");
-  const sheet::FreeFaces without = part.without_centre_lines();
+  const Said without = part.without_centre_lines();
   ASSERT_FALSE(without.free.empty());
   for (const sheet::FreeFace& one : without.free)
     EXPECT_TRUE(one.sentence.ends_with(", or centre lines")) << one.sentence;

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+// The walls of holes about one axis, from mouth to floor, as the faces of the models have them: no feature is asked.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "sizes/anchors.hpp"
+#include "world/placed_part.hpp"
+
+namespace epura::sheet {
+
+/// A cylinder or cone around a hole.
+struct HoleWall {
+  int face;
+  std::array<double, 2> at;      ///< where it begins and ends, along the axis of the chain from its centre; ascending
+  std::array<double, 2> radius;  ///< there
+  double angle = 0;              ///< of a cone, between opposite sides, degrees
+  double doubt = 0;              ///< of its radius
+
+  [[nodiscard]] bool is_cone() const { return angle > 0; }
+  [[nodiscard]] double length() const { return at[1] - at[0]; }
+  [[nodiscard]] double widest() const { return std::max(radius[0], radius[1]); }
+};
+
+/// Walls that follow each other along an axis, in one body.
+struct HoleChain {
+  int model;
+  Vec3 centre, axis;
+  std::vector<HoleWall> walls;    ///< ascending
+  std::size_t own;                ///< the wall of the circle by which it was found
+  std::array<bool, 2> is_closed;  ///< whether a floor, or the point of a drill, is at its ends
+  std::array<double, 2> uneven;   ///< by how much its ends vary, as mouths in round faces do
+
+  /// Whether a wall goes on narrower at an end, or is closed there.
+  [[nodiscard]] bool ends_at(std::size_t wall, int end) const;
+};
+
+/// The round faces of all models of a world, to which it refers. Models without recognised faces have none.
+class HoleWalls {
+ public:
+  explicit HoleWalls(const world::World& world);
+
+  /// The chain whose wall a circle is; nothing if no face around a hole has it.
+  [[nodiscard]] std::optional<HoleChain> chain_at(const WorldCircle& circle) const;
+  /// All chains that have a wall of this radius, each once for each such wall.
+  [[nodiscard]] std::vector<HoleChain> chains_of(double radius) const;
+  /// How many round faces have this radius, or cones such an end.
+  [[nodiscard]] int faces_of(double radius) const;
+  /// Whether a round face has a circle of this radius about an axis, or a ball its centre there.
+  [[nodiscard]] bool has_round(const WorldCircle& circle) const;
+  /// Whether something round reaches from one place to another, across its axis.
+  [[nodiscard]] bool is_between(const Vec3& from, const Vec3& to, double radius, const Vec3& along) const;
+  /// The narrowest circle about a round face through a point.
+  [[nodiscard]] std::optional<WorldCircle> circle_through(const Vec3& point) const;
+
+  [[nodiscard]] const std::vector<std::optional<world::PlacedPart>>& parts() const { return parts_; }
+  /// How far apart what is the same may be.
+  [[nodiscard]] double slack() const { return slack_; }
+
+ private:
+  [[nodiscard]] std::vector<HoleWall> walls_about(const WorldCircle& circle, int model, int body) const;
+  [[nodiscard]] std::optional<HoleChain> chain_from(const WorldCircle& circle, int model, int face) const;
+  void find_ends(HoleChain& chain) const;
+  [[nodiscard]] std::optional<int> face_ahead(const HoleChain& chain, const HoleWall& wall, const Vec3& along) const;
+  [[nodiscard]] bool is_floor(int floor, const HoleChain& chain, int wall) const;
+  [[nodiscard]] std::vector<int> beside(int model, int face) const;
+
+  const world::World& world_;
+  std::vector<std::optional<world::PlacedPart>> parts_;  // by model
+  double slack_;
+};
+
+}  // namespace epura::sheet
