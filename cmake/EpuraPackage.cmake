@@ -8,7 +8,7 @@ set(EPURA_ZSH_COMPLETIONS ${CMAKE_INSTALL_DATADIR}/zsh/site-functions CACHE STRI
 
 install(TARGETS epura RUNTIME)
 install(TARGETS epura-study RUNTIME COMPONENT study)
-install(FILES docs/plugins.md docs/importers.md docs/formats.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES docs/plugins.md docs/importers.md docs/formats.md docs/reports.md docs/scenes.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 set(completion src/run/app/completion/epura)
 install(FILES ${completion}.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME epura)
 install(FILES ${completion}.zsh DESTINATION ${EPURA_ZSH_COMPLETIONS} RENAME _epura)

@@ -17,7 +17,7 @@ using epura::scene::OptionInfo;
 using epura::scene::SceneSection;
 
 const std::string head = R"(# SPDX-License-Identifier: Apache-2.0
-"""The parts of a scene. Made from the tables of epura; docs/formats.md says more."""
+"""The parts of a scene. Made from the tables of epura; docs/scenes.md says more."""
 
 from __future__ import annotations
 

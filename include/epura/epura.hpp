@@ -163,7 +163,7 @@ class EPURA_PUBLIC Drawing {
 [[nodiscard]] EPURA_PUBLIC Drawing draw(const SceneValue& scene, const std::vector<ModelSource>& sources,
                                         const Settings& settings = {});
 
-/// Draws a scene file (TOML, docs/formats.md), or a model in an isometric view.
+/// Draws a scene file (TOML, docs/scenes.md), or a model in an isometric view.
 [[nodiscard]] EPURA_PUBLIC Drawing draw_file(const std::filesystem::path& file, const Settings& settings = {});
 
 struct SvgOptions {
@@ -197,7 +197,7 @@ struct DrawingFile {
 struct Comparison {
   bool is_same = true;
   std::string words;  ///< one line for each difference, and a last line with their number
-  std::string json;   ///< the same for programs (docs/formats.md)
+  std::string json;   ///< the same for programs (docs/reports.md)
   std::string page;   ///< HTML that shows the differences, if there are some
 };
 

@@ -50,7 +50,7 @@ using Scale = std::variant<AutomaticScale, double>;
 enum class AutomaticSize { cut, smallest };
 using PaperSize = std::variant<std::string, AutomaticSize, std::array<double, 2>>;
 
-/// Title block fields by the names in docs/formats.md ("title", "owner", "number", "date" ...) or any other name.
+/// Title block fields by the names in docs/scenes.md ("title", "owner", "number", "date" ...) or any other name.
 using TitleBlock = std::vector<std::pair<std::string, std::string>>;
 
 }  // namespace epura

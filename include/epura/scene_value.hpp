@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A scene in the words of scene files, for programs that hand over what others write: bindings, forms, databases. Keys,
-// values and defaults are those of docs/formats.md.
+// values and defaults are those of docs/scenes.md.
 #pragma once
 
 #include <array>

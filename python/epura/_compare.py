@@ -26,7 +26,7 @@ class Comparison:
 
     @property
     def differences(self) -> List[Dict[str, Any]]:
-        """One dictionary each, as `epura compare --json` writes them (docs/formats.md)."""
+        """One dictionary each, as `epura compare --json` writes them (docs/reports.md)."""
         found: List[Dict[str, Any]] = json.loads(self._facts)["differences"]
         return found
 

@@ -17,7 +17,7 @@ _SINGULAR = {"explosions": "explode", "revolved": "revolved", "accepted": "accep
 @dataclass
 class Scene:
     """Everything that is drawn. Members are lists of the classes of this module, or of dictionaries with their options;
-    docs/formats.md describes them all.
+    docs/scenes.md describes them all.
 
     `models`: `Model`, or anything that is its source. `views`: `View`, or names of projections; one isometric view by
     default. `all_sheets`: options of every sheet.

@@ -156,7 +156,7 @@ def test_every_section_of_scene_files_is_a_member():
     sections = {member.name for member in fields(epura.Scene)}
     keys = {_scene._SINGULAR.get(name, name if name in ("parts_list", "all_sheets", "title_block") else name[:-1])
             for name in sections}
-    text = (SAMPLES.parent / "docs" / "formats.md").read_text()
+    text = (SAMPLES.parent / "docs" / "scenes.md").read_text()
     import re
     wanted = set(re.findall(r"^\| [^|]*`\[\[?([a-z_]+)\]\]?`", text, re.M))
     assert wanted and wanted <= keys

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drawings stored as text: each folder of tests/golden is a case of `epura snapshot` (docs/formats.md), drawn from the
+// Drawings stored as text: each folder of tests/golden is a case of `epura snapshot` (docs/reports.md), drawn from the
 // root of the repository, whose expected files must match byte by byte.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The description of a drawing as given by the user: by options on the command line, in a scene file (docs/formats.md),
+// The description of a drawing as given by the user: by options on the command line, in a scene file (docs/scenes.md),
 // or by a program. Values are typed; references are resolved by the stage that has their targets.
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The options of the parts of a scene. docs/formats.md is generated from these tables.
+// The options of the parts of a scene. docs/scenes.md is generated from these tables.
 #pragma once
 
 #include <string>

@@ -235,7 +235,7 @@ RequirementDescription requirement_of(const RequirementWords& words) {
       refuse_input(
           one.where,
           "a requirement of type '" + type + "' " + (is_given ? "has no '" : "lacks '") + std::string(key) + "'",
-          is_given ? "omit it" : "docs/formats.md says what it is");
+          is_given ? "omit it" : "docs/scenes.md says what it is");
   return one;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reads scene files: descriptions of drawings in TOML, see docs/formats.md.
+// Reads scene files: descriptions of drawings in TOML, see docs/scenes.md.
 #pragma once
 
 #include <filesystem>

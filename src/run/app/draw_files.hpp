@@ -41,7 +41,7 @@ using DescribeScene = std::function<scene::SceneDescription(const Progress&)>;
 DrawnFiles draw_files(const DrawOptions& options, const DescribeScene& describe_scene,
                       const pipeline::Messages& messages, Progress progress);
 
-/// The findings about the dimensions of a drawing as JSON (docs/formats.md).
+/// The findings about the dimensions of a drawing as JSON (docs/reports.md).
 std::string findings_json(const report::Report& report);
 
 /// Prints the result of --timings, and what --time-limit omitted.

@@ -180,7 +180,7 @@ std::string scene_text(const std::string& file, const world::World& world) {
   const std::string name = fs::path(importer::parse_model_request(file).path).stem().string();
   return "# " + one_line(file) + ": " + format_rounded(size.x, 5) + " x " + format_rounded(size.y, 5) + " x " +
          format_rounded(size.z, 5) + " mm, from " + triple(world.box.min) + " to " + triple(world.box.max) +
-         "\n# docs/formats.md has all keys. Lines with # and no blank are proposals: remove the #.\n\n[[model]]\nfile "
+         "\n# docs/scenes.md has all keys. Lines with # and no blank are proposals: remove the #.\n\n[[model]]\nfile "
          "= " +
          toml_text(file) + "\n#unit = \"mm\"\n#transform = \"rotate:z,0\"\n" + views_text() +
          section_text(groups, world.box) + "\n[[dimension]]\ntype = \"auto\"\n" + holes_text(groups) +

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // What a sheet carries so that whoever receives it can draw it again: the options, the files that were read, what was
-// found, and hashes of all (docs/formats.md).
+// found, and hashes of all (docs/reports.md).
 #pragma once
 
 #include <string>

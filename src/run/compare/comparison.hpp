@@ -95,7 +95,7 @@ std::string format_comparison(const Comparison& comparison, double tolerance);
 std::string to_markdown(const Comparison& comparison, double tolerance, const std::string& before,
                         const std::string& after);
 
-/// The same in machine-readable form (docs/formats.md); `before` and `after` are the names of the files.
+/// The same in machine-readable form (docs/reports.md); `before` and `after` are the names of the files.
 std::string to_json(const Comparison& comparison, double tolerance, const std::string& before,
                     const std::string& after);
 

@@ -28,7 +28,7 @@ using epura::Vec2;
 using epura::Vec3;
 
 constexpr const char* head = R"(// SPDX-License-Identifier: Apache-2.0
-// Description of a drawing in plain values, made from the tables by which scene files are read: docs/formats.md. World
+// Description of a drawing in plain values, made from the tables by which scene files are read: docs/scenes.md. World
 // coordinates are right-handed, z points up; lengths are millimetres after applying the unit of a model. What is empty
 // is not given.
 #pragma once

@@ -52,10 +52,10 @@ std::string quoted(const std::string& line, std::size_t& at) {
   return line.substr(begin + 1, end - begin - 1);
 }
 
-// docs/formats.md has a row for each option, which another test compares with the tables.
+// docs/scenes.md has a row for each option, which another test compares with the tables.
 TEST(SceneOptions, AllOfSceneFilesAreInCpp) {
   const std::map<std::string, Keys> known = keys_in_cpp();
-  std::ifstream page(EPURA_TEST_SAMPLES "/../docs/formats.md");
+  std::ifstream page(EPURA_TEST_SAMPLES "/../docs/scenes.md");
   int rows = 0;
   for (std::string line; std::getline(page, line);) {
     if (!line.starts_with("| `[")) continue;

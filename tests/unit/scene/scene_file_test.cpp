@@ -27,7 +27,7 @@ std::string example_of(const std::string& page) {
   return page.substr(begin, page.find("```", begin) - begin);
 }
 
-std::string documentation() { return read_file(EPURA_TEST_SAMPLES "/../docs/formats.md"); }
+std::string documentation() { return read_file(EPURA_TEST_SAMPLES "/../docs/scenes.md"); }
 
 std::string field(const scene::SheetDescription& sheet, const std::string& name) {
   std::string texts;

@@ -19,7 +19,7 @@ std::string to_text(std::span<const CaseLimit> limits);
 /// One line for each quantity of each step and way.
 std::string to_csv(const Report& report);
 
-/// docs/formats.md. Seconds only with `timings`: otherwise the same report gives the same bytes.
+/// docs/reports.md. Seconds only with `timings`: otherwise the same report gives the same bytes.
 std::string to_json(const Report& report, bool timings);
 
 /// One self-contained page with tables and plots.
