@@ -95,8 +95,8 @@ std::vector<LineOfCircle> lines_along(const drawing::ViewDrawing& drawing, const
       const auto line = in_circle(segment, circle);
       // As of balls and rounded edges, which have a radius and are seen as circles: edges beside them are none of
       // theirs. Roots of threads are drawn beside the core that the model has.
-      const bool is_outline = segment.kind == EdgeKind::thread ||
-                              (segment.kind == EdgeKind::contour && circle.is_radius && !circle.spokes);
+      const bool is_outline =
+          segment.kind == EdgeKind::thread || (segment.kind == EdgeKind::contour && circle.is_radius && !circle.spokes);
       if ((is_outline || !only_outlines) && is_along(line, off) && is_on_arc(line, circle) &&
           (is_outline || world == nullptr || is_on_face(segment, drawing, circle, *world)))
         lines.push_back({line, segment.visible});

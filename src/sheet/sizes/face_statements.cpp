@@ -505,7 +505,7 @@ class Reader {
   void read_note(const AnchoredDimension& dimension, const Vec3& sight) {
     const std::vector<NotedNumber> numbers = noted_numbers(dimension.text, notation_);
     const bool is_thread = gives_thread(dimension.text, notation_);
-    std::vector<WorldCircle> circles = noted_.equal_circles(dimension);
+    std::vector<WorldCircle> circles = noted_.equal_circles(dimension, is_thread);
     std::vector<WorldCircle> meant = noted_.with_all(circles, numbers);
     check(meant.size() <= circles.size(), "a note means some of the circles of its size");
     if (!meant.empty()) circles = std::move(meant);
@@ -517,7 +517,7 @@ class Reader {
         of_others.push_back(std::move(one));
     for (Statement& one : of_others) say_by_count(std::move(one.rows), one.is_certain);
     for (const WorldCircle& one : circles)
-      if (is_thread) say(noted_.thread(one), false);
+      if (is_thread) say(noted_.thread(one), static_cast<int>(circles.size()) <= repeats_of(dimension.text));
   }
 
   // For certain if it means one thing around each circle, or as many as there are, as of holes from both sides; of
@@ -544,7 +544,7 @@ class Reader {
   // Those of the same size that a note cannot mean, by what else it says.
   [[nodiscard]] std::vector<WorldCircle> circles_left_out(const AnchoredDimension& dimension) const {
     if (dimension.type != DimensionType::diameter || repeats_of(dimension.text) == 1) return {};
-    std::vector<WorldCircle> circles = noted_.equal_circles(dimension);
+    std::vector<WorldCircle> circles = noted_.equal_circles(dimension, gives_thread(dimension.text, notation_));
     const std::vector<WorldCircle> meant = noted_.with_all(circles, noted_numbers(dimension.text, notation_));
     if (meant.empty()) return {};
     std::erase_if(circles, [&](const WorldCircle& one) {

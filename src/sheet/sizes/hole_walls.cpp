@@ -229,6 +229,22 @@ std::optional<HoleChain> HoleWalls::chain_at(const WorldCircle& circle) const {
   return nearest;
 }
 
+WorldCircle HoleWalls::bore_of(WorldCircle thread, double core) const {
+  std::optional<double> widest;
+  for (const auto& part : parts_) {
+    if (!part) continue;
+    for (const PartFace& face : part->faces) {
+      const double radius = face.surface.radius;
+      if (is_wall(face) && face.surface.kind == SurfaceKind::cylinder &&
+          are_about_one_axis(face.surface, thread, slack_) && radius >= core * thread.radius &&
+          radius <= thread.radius + slack_ + features::radius_doubt(face))
+        widest = std::max(widest.value_or(radius), radius);
+    }
+  }
+  if (widest) thread.radius = *widest;
+  return thread;
+}
+
 std::vector<HoleChain> HoleWalls::chains_of(double radius) const {
   check(radius > 0, "a hole has a radius");
   std::vector<HoleChain> chains;

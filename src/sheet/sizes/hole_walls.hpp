@@ -46,6 +46,9 @@ class HoleWalls {
 
   /// The chain whose wall a circle is; nothing if no face around a hole has it.
   [[nodiscard]] std::optional<HoleChain> chain_at(const WorldCircle& circle) const;
+  /// The widest wall about the axis of a thread that is no wider than this, and no narrower than its core, which is
+  /// given in its diameters; the thread if there is none.
+  [[nodiscard]] WorldCircle bore_of(WorldCircle thread, double core) const;
   /// All chains that have a wall of this radius, each once for each such wall.
   [[nodiscard]] std::vector<HoleChain> chains_of(double radius) const;
   /// How many round faces have this radius, or cones such an end.

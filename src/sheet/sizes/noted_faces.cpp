@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "base/angle.hpp"
@@ -68,8 +69,20 @@ std::vector<Row> NotedFaces::rows_of(const NotedNumber& number, const WorldCircl
   return rows;
 }
 
-std::vector<WorldCircle> NotedFaces::equal_circles(const AnchoredDimension& dimension) const {
-  const WorldCircle& circle = dimension.circles.front();
+// The widest wall about the axis of a thread that its diameter does not exceed.
+WorldCircle NotedFaces::bore_of(WorldCircle thread) const {
+  std::optional<double> widest;
+  for (int face = 0; face < static_cast<int>(count_); ++face)
+    if (const PartSurface& one = surface(face);
+        one.kind == SurfaceKind::cylinder && one.radius >= core_of_thread * thread.radius &&
+        one.radius <= thread.radius + slack_ && measured_.is_around(face, thread))
+      widest = std::max(widest.value_or(one.radius), one.radius);
+  if (widest) thread.radius = *widest;
+  return thread;
+}
+
+std::vector<WorldCircle> NotedFaces::equal_circles(const AnchoredDimension& dimension, bool is_thread) const {
+  const WorldCircle circle = is_thread ? bore_of(dimension.circles.front()) : dimension.circles.front();
   if (dimension.is_label) return {circle};
   std::vector<WorldCircle> equal{circle}, any{circle};
   const bool with_parts = is_of_part(circle);
@@ -223,12 +236,10 @@ void NotedFaces::add_angles(std::vector<Row>& rows, const WorldCircle& circle, c
     rows.push_back(unknowns_.growth(face, UnknownKind::angle));
 }
 
-// A standard thread gives the hole that is drilled for it, and its point.
-std::vector<Row> NotedFaces::thread(const WorldCircle& circle) const {
-  constexpr double core = 0.7;  // of the diameter, at least
+std::vector<Row> NotedFaces::thread(const WorldCircle& bore) const {
   std::vector<Row> rows;
   for (int face = 0; face < static_cast<int>(count_); ++face)
-    if (const PartSurface& one = surface(face); measured_.is_around(face, circle) && one.radius >= core * circle.radius)
+    if (measured_.is_around(face, bore) && measured_.are_alike(surface(face).radius, bore.radius))
       rows.push_back(unknowns_.growth(face, UnknownKind::radius));
   return rows;
 }

@@ -17,9 +17,9 @@ class NotedFaces {
  public:
   NotedFaces(const DrawnPart& drawn, const definition::Unknowns& unknowns, const MeasuredFaces& measured);
 
-  /// The circle of a dimension, and for "4×" those about other axes: of the same size, or if there are none, of any;
-  /// a row of a table is of one axis. Fillets are not equal to holes.
-  [[nodiscard]] std::vector<WorldCircle> equal_circles(const AnchoredDimension& dimension) const;
+  /// The circle of a dimension, of a thread that of its bore, and for "4×" those about other axes: of the same size, or
+  /// if there are none, of any; a row of a table is of one axis. Fillets are not equal to holes.
+  [[nodiscard]] std::vector<WorldCircle> equal_circles(const AnchoredDimension& dimension, bool is_thread) const;
   /// What a number may mean around a circle: each row is another thing; of depths, the one that is farthest along the
   /// axis of the circle comes first.
   [[nodiscard]] std::vector<definition::Row> rows_of(const NotedNumber& number, const WorldCircle& circle) const;
@@ -31,8 +31,8 @@ class NotedFaces {
   [[nodiscard]] bool is_part(int face) const { return are_parts_[static_cast<std::size_t>(face)] != 0; }
   /// Whether the circle of a dimension is that of such a part.
   [[nodiscard]] bool is_of_part(const WorldCircle& circle) const;
-  /// A standard thread gives the hole that is drilled for it.
-  [[nodiscard]] std::vector<definition::Row> thread(const WorldCircle& circle) const;
+  /// A standard thread gives the hole that is drilled for it, whose circle this is.
+  [[nodiscard]] std::vector<definition::Row> thread(const WorldCircle& bore) const;
 
  private:
   [[nodiscard]] const surfaces::PartSurface& surface(int face) const {
@@ -44,6 +44,7 @@ class NotedFaces {
     double low, high;
   };
 
+  [[nodiscard]] WorldCircle bore_of(WorldCircle thread) const;
   [[nodiscard]] std::vector<Depth> depths(const WorldCircle& circle, double depth) const;
   void add_depths_below_round_faces(std::vector<Depth>& found, const WorldCircle& circle, double depth) const;
   [[nodiscard]] std::vector<Depth> along_walls(std::vector<Depth> all, const WorldCircle& circle, double radius) const;

@@ -38,6 +38,9 @@ struct StatedSize {
 std::optional<StatedSize> stated_size(const AnchoredDimension& dimension, const DimensionsInView& view,
                                       const Notation& notation);
 
+/// The core of a standard thread, in its diameters, at least.
+inline constexpr double core_of_thread = 0.7;
+
 /// Whether a text has a thread with the sizes of a standard.
 bool gives_thread(const std::string& text, const Notation& notation);
 

@@ -25,8 +25,7 @@ namespace epura::sheet {
 
 namespace {
 
-constexpr double core_of_thread = 0.7;  ///< of its diameter, at least
-constexpr double angle_doubt = 0.02;    ///< degrees, of fitted cones
+constexpr double angle_doubt = 0.02;  ///< degrees, of fitted cones
 
 /// What is found of one text. The first fault is told.
 struct Verdict {
@@ -204,14 +203,15 @@ class Judge {
   }
 
   // What a note says of the walls about the circle where it ends, and of how many there are.
-  void judge_hole(Verdict& verdict, const NotedText& text, const WorldCircle& circle) {
+  void judge_hole(Verdict& verdict, const NotedText& text, const WorldCircle& noted) {
     const std::vector<NotedElement> elements(text.elements.begin(),
                                              text.elements.begin() + static_cast<std::ptrdiff_t>(text.understood));
     check(elements.size() <= text.elements.size(), "what is understood is part of a text");
     const bool any_of_hole = std::ranges::any_of(elements, is_of_hole);
     if (!any_of_hole && text.count == 1) return;
-    const std::optional<HoleChain> chain = walls_.chain_at(circle);
     const bool is_thread = std::ranges::any_of(elements, [](const auto& one) { return one.role == NotedRole::thread; });
+    const WorldCircle circle = is_thread ? walls_.bore_of(noted, core_of_thread) : noted;
+    const std::optional<HoleChain> chain = walls_.chain_at(circle);
     if (!chain && any_of_hole && !is_thread) {
       if (walls_.has_round(circle)) return verdict.deny("no hole there");
       return verdict.doubt("whether a hole is there");

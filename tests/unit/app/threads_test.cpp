@@ -295,5 +295,20 @@ TEST_F(ThreadDrawings, ThatCannotBeAreRefusedWithTheLine) {
   expect_refused(thread("M6", core, "view = 'tpo'\n"), "there is no view 'tpo'");
 }
 
+// The clamp has four bores of 7 mm with counterbores; the thread gives all of them.
+TEST_F(ThreadDrawings, ANoteGivesTheBoresOfEqualThreads) {
+  const std::string text = folder.file(
+      "equal.toml",
+      "sheet = {size = 'A3', scale = '1:1'}\nmodel = [{file = '" EPURA_TEST_SAMPLES
+      "/step/clamp.step'}]\nview = [{projection = 'front'}, {projection = 'top'}]\n"
+      "thread = [{thread = 'M8', at = {point = [7.5, 11, 0]}, equal = true}]\ndimension = [{type = 'auto'}]\n");
+  ASSERT_EQ(epura({"draw", "--allow-outside", text, "-o", "x.json"}, folder / "").code, 0);
+  const std::string json = read_file(folder / "x.json");
+  EXPECT_TRUE(contains(json, "4× M8 ⌴⌀12 ↧6"));
+  EXPECT_FALSE(contains(json, "\"⌀7\""));
+  const Outcome judged = epura({"lint", "--allow-outside", text}, folder / "");
+  EXPECT_TRUE(contains(judged.out, "31 of 31 faces held by dimensions\nfidelity: no fault")) << judged.out;
+}
+
 }  // namespace
 }  // namespace epura::test::threads_test

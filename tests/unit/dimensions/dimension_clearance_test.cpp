@@ -373,8 +373,7 @@ TEST(DimensionClearance, AnglesStandWhereTheirLegsAreFree) {
     sheet::MeasuredAngle angle{corner, {Vec2(12, 0), slope}};
     angle.equal = sheet::CornerOnPaper{corner + slope, {Vec2(-1, 0), -slope}};
     auto all = sheet::placements_of(angle, {angle, sheet::DimensionText("60°"), {}}, front, {sheet::Lettering(), 0.25});
-    return std::ranges::min_element(all, {}, &sheet::ItemPlacement::cost)->drawn().arrows.at(0).rings[0][0] -
-           corner;
+    return std::ranges::min_element(all, {}, &sheet::ItemPlacement::cost)->drawn().arrows.at(0).rings[0][0] - corner;
   };
   EXPECT_NEAR(tip_with(0).y, 0, 1e-6);
   EXPECT_GT(tip_with(0).x, 0);
