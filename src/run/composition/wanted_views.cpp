@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "base/text.hpp"
@@ -96,7 +97,7 @@ std::vector<std::string> views_for_hidden(const world::World& world, const Sheet
                                           std::span<const view::ProjectedScene> seen,
                                           std::span<const Annotations> annotations, const Progress& progress) {
   std::vector<std::string> wanted;
-  const features::PartFeatures features = features::features_to_dimension(world, progress);
+  std::optional<features::PartFeatures> features;
   for (std::size_t i = 0; i < seen.size(); ++i) {
     const projection::Projection& here = seen[i].projection;
     const scene::ViewDescription& view = sheet.descriptions[i];
@@ -105,20 +106,24 @@ std::vector<std::string> views_for_hidden(const world::World& world, const Sheet
     const auto trial = std::ranges::find_if(
         tries, [&here](const TrialView& one) { return glm::dot(one.seen.n, here.n) <= max_tilt * max_tilt - 1; });
     if (trial == tries.end()) continue;
-    const FaceView front(*view.name, here, world), back(trial->projection, trial->seen, world);
-    const auto shows = [](const FaceView& of) { return [&of](const Vec3& point) { return of.shows(point); }; };
-    const bool any = std::any_of(
-        annotations[i].dimensions.begin(),
-        annotations[i].dimensions.begin() + static_cast<std::ptrdiff_t>(annotations[i].found), [&](const auto& note) {
-          if (!note.circle || note.is_label || std::abs(glm::dot(note.circle->axis, here.n)) < 1 - max_tilt * max_tilt)
-            return false;
-          const auto circles = circles_of(note, features);
-          const auto is_seen_in = [&](const FaceView& of) {
-            return std::ranges::any_of(circles, [&](const auto& one) { return sheet::shows_part(one, shows(of)); });
-          };
-          return !is_seen_in(front) && is_seen_in(back);
-        });
-    if (any) wanted.push_back(trial->projection);
+    std::vector<std::vector<scene::FeatureCircle>> notes;
+    for (const scene::DimensionDescription& note : std::span(annotations[i].dimensions).first(annotations[i].found))
+      if (note.circle && !note.is_label && std::abs(glm::dot(note.circle->axis, here.n)) >= 1 - max_tilt * max_tilt) {
+        if (!features) features = features::features_to_dimension(world, progress);
+        notes.push_back(circles_of(note, *features));
+      }
+    const auto erase = [&notes, &world](const std::string& name, const projection::Projection& of, bool seen_ones) {
+      if (notes.empty()) return;
+      const FaceView faces(name, of, world);
+      std::erase_if(notes, [&](const auto& circles) {
+        return seen_ones == std::ranges::any_of(circles, [&](const auto& one) {
+                 return sheet::shows_part(one, [&faces](const Vec3& point) { return faces.shows(point); });
+               });
+      });
+    };
+    erase(*view.name, here, true);
+    erase(trial->projection, trial->seen, false);
+    if (!notes.empty()) wanted.push_back(trial->projection);
   }
   return wanted;
 }
