@@ -28,7 +28,17 @@ bool is_too_large(std::string word) {
   return std::abs(number) > largest_number && std::abs(number) != Precision::Infinite();
 }
 
-/// The first such number, as it is written; empty if there is none.
+// What C libraries write instead of a number: "nan", "-inf", "1.#QNAN".
+bool is_no_number(std::string word) {
+  std::transform(word.begin(), word.end(), word.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  const std::size_t sign = word.find_first_not_of("+-");
+  if (sign == std::string::npos) return false;
+  const std::string_view bare = std::string_view(word).substr(sign);
+  return bare == "nan" || bare == "inf" || bare.find(".#") != std::string_view::npos;
+}
+
+/// The first number that is too large, or none at all, as it is written; empty if there is none.
 std::string_view large_number_in(std::string_view text) {
   constexpr std::string_view between = " \t\r\n(),;", of_numbers = "+-.0123456789EeDd";
   constexpr std::size_t digits = 50;  // of `largest_number`: a longer one needs no exponent
@@ -38,6 +48,9 @@ std::string_view large_number_in(std::string_view text) {
     const std::string_view word = text.substr(at, end - at);
     const bool may_be = word.find_first_of("EeDd") != std::string_view::npos || word.size() > digits;
     if (may_be && word.find_first_not_of(of_numbers) == std::string_view::npos && is_too_large(std::string(word)))
+      return word;
+    if (word.find_first_of("nNiI#") != std::string_view::npos && word[0] != '#' && word.size() <= digits &&
+        is_no_number(std::string(word)))
       return word;
     at = end + 1;
   }
