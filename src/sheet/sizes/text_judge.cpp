@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -85,7 +86,7 @@ class Judge {
       return verdict;
     }
     const double measured = (size->sign == NotedSign::radius ? 1 : 2) * circle->radius;
-    if (!size->allows(measured, walls_.slack())) verdict.deny(number(measured));
+    if (!size->allows(measured, walls_.slack()) && !is_at_recess(text, measured)) verdict.deny(number(measured));
     judge_hole(verdict, text, *circle);
     return verdict;
   }
@@ -118,7 +119,8 @@ class Judge {
                                      (size->sign == NotedSign::radius || size->sign == NotedSign::sphere_radius)
                                  ? 0.5
                                  : 1;
-    if (size != nullptr && !size->allows(of_circle * *measured, doubt)) verdict.deny(has);
+    if (size != nullptr && !size->allows(of_circle * *measured, doubt) && !is_at_recess(text, *measured))
+      verdict.deny(has);
     for (std::size_t i = 0; i < text.understood; ++i) {
       const NotedElement& one = text.elements[i];
       if (one.role != NotedRole::other_unit) continue;
@@ -202,6 +204,24 @@ class Judge {
     }
   }
 
+  // Whether the leader of a note ends at the rim of the recess that the note gives.
+  [[nodiscard]] bool is_at_recess(const NotedText& text, double diameter) const {
+    const auto elements = std::span(text.elements).first(text.understood);
+    return text.size() != nullptr && text.size()->sign == NotedSign::diameter &&
+           std::ranges::any_of(elements, [&](const NotedElement& one) {
+             return one.is_recess() && one.allows(diameter, definition::same_size * diameter + 2 * walls_.slack());
+           });
+  }
+
+  // The circle that the size of a note means: of a thread its bore, of a note at its recess the wall below.
+  [[nodiscard]] WorldCircle circle_meant(const NotedText& text, WorldCircle noted) const {
+    const auto elements = std::span(text.elements).first(text.understood);
+    if (std::ranges::any_of(elements, [](const auto& one) { return one.role == NotedRole::thread; }))
+      return walls_.bore_of(noted, core_of_thread);
+    if (is_at_recess(text, 2 * noted.radius)) noted.radius = text.size()->least / 2;
+    return noted;
+  }
+
   // What a note says of the walls about the circle where it ends, and of how many there are.
   void judge_hole(Verdict& verdict, const NotedText& text, const WorldCircle& noted) {
     const std::vector<NotedElement> elements(text.elements.begin(),
@@ -210,7 +230,7 @@ class Judge {
     const bool any_of_hole = std::ranges::any_of(elements, is_of_hole);
     if (!any_of_hole && text.count == 1) return;
     const bool is_thread = std::ranges::any_of(elements, [](const auto& one) { return one.role == NotedRole::thread; });
-    const WorldCircle circle = is_thread ? walls_.bore_of(noted, core_of_thread) : noted;
+    const WorldCircle circle = circle_meant(text, noted);
     const std::optional<HoleChain> chain = walls_.chain_at(circle);
     if (!chain && any_of_hole && !is_thread) {
       if (walls_.has_round(circle)) return verdict.deny("no hole there");

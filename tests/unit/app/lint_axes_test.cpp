@@ -229,5 +229,21 @@ TEST_F(LintAxes, CountANoteForAsManyHolesAsItSays) {
   EXPECT_FALSE(contains(run.out, "not dimensioned: hole ⌀8\n")) << run.out;
 }
 
+// With a counterbore of 12, 4 deep, above a bore of 8: at the rim of either.
+TEST_F(LintAxes, OfNotesMayEndAtTheRecess) {
+  folder_.file("part.obj", plate({40, 30}, 1, 1, 10, stepped_hole({{6, 10}, {6, 6}, {4, 6}, {4, 0}})));
+  const auto judged = [&](double rim, const std::string& text) {
+    const std::string at = "at = {point = [" + std::to_string(20 + rim) + ", 15, 10]}\n";
+    const std::string scene = folder_.file("scene.toml",
+                                           "[[model]]\nfile = 'part.obj'\n[[view]]\nprojection = 'top'\n"
+                                           "[[dimension]]\ntype = 'diameter'\ntext = '" +
+                                               text + "'\n" + at);
+    return epura({"lint", scene}, folder_ / "").out;
+  };
+  EXPECT_FALSE(contains(judged(6, "⌀8 ⌴⌀12 ↧4"), "untrue"));
+  EXPECT_TRUE(contains(judged(6, "⌀9 ⌴⌀12 ↧4"), "untrue"));
+  EXPECT_TRUE(contains(judged(6, "⌀8 ⌴⌀12 ↧5"), "untrue"));
+}
+
 }  // namespace
 }  // namespace epura::test::lint_axes_test
