@@ -101,8 +101,6 @@ sheet::Layer boundaries_of(std::span<const Annotations> annotations, std::span<c
 // Faults of the dimensions of one view on paper.
 void note_faults(std::vector<report::Finding>& findings, const std::string& view, const sheet::PlacedLayer& placed,
                  const sheet::Paper& paper) {
-  for (const std::string& crossing : placed.crossings)
-    findings.push_back({report::FindingKind::crossing, view, crossing});
   for (const std::string& fan : placed.fans)
     findings.push_back({report::FindingKind::fan, view, "too many ordinates on one side: '" + fan + "'"});
   for (const sheet::Text& text : placed.layer.texts)
@@ -270,6 +268,7 @@ sheet::Neighbours in_the_way(const sheet::Neighbours& around, const SheetInput& 
     sheet::Layer origin;
     sheet::draw_origin(origin, table, views[view].drawing, style);
     add_boxes(neighbours.boxes, origin, style.lettering);
+    for (const sheet::Text& letter : origin.texts) neighbours.letters.push_back(sheet::box_of(letter, style.lettering));
   }
   return neighbours;
 }
@@ -381,6 +380,7 @@ void add_annotations(AnnotationLayers& result, sheet::Neighbours& around, ViewTo
                                items, of.input.views.plans[of.view].options.turned.has_value()},
                               style, neighbours, budget.run.with_part_of_the_time(0.5));
   note_faults(result.findings, drawing.name, placed, paper);
+  result.is_crowded = result.is_crowded || placed.has_conflicts;
   tell_left_out(result, placed, wanted.dimensions.size(), drawing.name);
   tell_unseen(result, placed, drawing.name);
   for (const std::size_t number : placed.left_out) result.left_out[of.view].push_back(wanted.numbers[number]);

@@ -29,6 +29,7 @@ struct AnnotationLayers {
   std::vector<std::string> unplaced{};             ///< requirements of dimensions and callouts that are not drawn
   std::vector<RequirementPlace> places{};          ///< of dimensions and callouts that are drawn
   std::size_t without_room = 0;                    ///< notes, symbols, tables, rows of hole tables, likewise
+  bool is_crowded = false;                         ///< something has a place where it meets something else
   std::vector<std::string> warnings;
   std::vector<std::string> unseen_warnings;  ///< no other sheet helps
   std::vector<report::Finding> findings;

@@ -252,7 +252,7 @@ FinishedSheet compose(const SheetInput& input, std::vector<ViewResult>& results,
   const sheet::LineWidths widths = sheet::line_widths(paper, furniture.styles);
   construct(input, results);
   AnnotationLayers beside = annotation_layers(input, results, furniture.labels, budget);
-  finished.is_crowded = !beside.warnings.empty();
+  finished.is_crowded = beside.is_crowded || !beside.warnings.empty();
   finished.without_room = beside.without_room;
   finished.unplaced = beside.unplaced;
   for (const RequirementPlace& place : beside.places)

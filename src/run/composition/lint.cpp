@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "composition/free_forms.hpp"
+#include "composition/legibility.hpp"
 #include "features/assembly_features.hpp"
 #include "features/true_extents.hpp"
 #include "sizes/free_faces.hpp"
@@ -166,6 +167,11 @@ HatchedFaces add_missing_sizes(report::Report& report, const JudgedSheets& sheet
 
 std::vector<std::string> views_for_sizes(const JudgedSheets& sheets, const Progress& progress) {
   return coverage_of(sheets, features::features_to_dimension(sheets.world, progress), {}).views_to_add;
+}
+
+void add_illegible_texts(report::Report& report, std::span<const FinishedSheet> sheets) {
+  for (const FinishedSheet& sheet : sheets)
+    for (report::Finding& found : illegible_texts(sheet.sheet)) report.findings.push_back(std::move(found));
 }
 
 void warn_of_vain(const Messages& messages, std::span<const AcceptedFaces> accepted,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "composition/annotations.hpp"
+#include "composition/finished_sheet.hpp"
 #include "composition/free_face_layer.hpp"
 #include "definition/rules.hpp"
 #include "report/report.hpp"
@@ -55,6 +56,9 @@ HatchedFaces add_missing_sizes(report::Report& report, const JudgedSheets& sheet
 
 /// Views, as in --projection, that show sizes which no dimension gives for want of one.
 std::vector<std::string> views_for_sizes(const JudgedSheets& sheets, const Progress& progress);
+
+/// Adds what of the finished sheets cannot be read (legibility.hpp).
+void add_illegible_texts(report::Report& report, std::span<const FinishedSheet> sheets);
 
 /// Tells which of them nothing is found of.
 void warn_of_vain(const Messages& messages, std::span<const AcceptedFaces> accepted,

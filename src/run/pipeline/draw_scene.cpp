@@ -564,6 +564,7 @@ void Run::lint(std::span<FinishedSheet> sheets, const ShownWorlds& worlds) {
   const std::vector<AcceptedFaces> accepted = accepted_faces(scene, worlds.main());
   const HatchedFaces free =
       add_missing_sizes(report, {worlds.main(), scene, gathered.dimensioned}, {accepted, options.rules}, progress);
+  add_illegible_texts(report, sheets);
   add_all(report.findings, undefined_free_forms(worlds.main(), scene, refers_to_models));
   warn_of_vain(messages, accepted, report.findings);
   if (options.hatch_free) hatch_free_faces(sheets, scene, worlds, free);

@@ -426,7 +426,7 @@ std::vector<ItemBeside> callout_items(std::span<const Callout> callouts, const d
     if (callout.target && callout.others.empty())
       item.like = {callout.target->point.x, callout.target->point.y, callout.attach, item.order[1]};
     item.size = callout.size;
-    items.push_back({std::move(item), callout.name, callout.dimension});
+    items.push_back({std::move(item), callout.dimension});
   }
   check(items.size() == callouts.size(), "every callout is an item");
   return items;

@@ -17,7 +17,7 @@ inline constexpr double cost_of_other = 20;    ///< a line through something els
 inline constexpr double cost_of_crossing = 3;
 inline constexpr double cost_of_ink = 0.3;  ///< a line of the drawing that a leader crosses
 
-/// Dimensions, or equal features, whose less usual places are tried, and that are named: more take too long.
+/// Dimensions, or equal features, whose less usual places are tried: more take too long.
 inline constexpr std::size_t max_in_crowd = 12;
 /// A place whose text so many lines cross is as hard to read as any other.
 inline constexpr double cost_in_crowd = max_in_crowd * cost_of_text;

@@ -293,8 +293,7 @@ PlacedLayer place_dimensions(const DimensionedView& view, const DimensionStyle& 
   const bool is_complete = !progress.is_out_of_time();
   std::vector<std::string> texts;
   for (const MeasuredDimension& one : shown.measured) texts.push_back(one.text.line());
-  for (const ItemBeside& one : view.beside) texts.push_back(one.name);
-  result.crossings = crossings_of(placed, texts, obstacles);
+  result.has_conflicts = have_conflicts(placed, obstacles);
   const auto dimensions_end = placed.begin() + static_cast<std::ptrdiff_t>(shown.measured.size());
   result.beside.assign(std::make_move_iterator(dimensions_end), std::make_move_iterator(placed.end()));
   placed.erase(dimensions_end, placed.end());

@@ -22,7 +22,6 @@ namespace epura::sheet {
 /// Something else that stands at a view, and is placed with its dimensions.
 struct ItemBeside {
   PlacementItem item;
-  std::string name;         ///< for messages
   std::string dimension{};  ///< name of the one at which it stands; empty: none
 };
 
@@ -50,8 +49,8 @@ struct PlacedLayer {
   std::vector<std::string> texts_left_out{};
   std::vector<std::size_t> unseen{};  ///< numbers of those that measure what the view does not show, also left out
   std::vector<std::string> texts_unseen{};
-  std::vector<std::string> fans{};       ///< texts of rows that are too many for a side of the view, or longer than it
-  std::vector<std::string> crossings{};  ///< a sentence for each dimension that something crosses
+  std::vector<std::string> fans{};  ///< texts of rows that are too many for a side of the view, or longer than it
+  bool has_conflicts = false;       ///< whether something has a place where it meets something else
   /// Ends of the dimension lines that have a name; arrows are numbers of areas of the layer.
   std::map<std::string, std::vector<DimensionEnd>> ends{};
   PlacedDimensions beside{};  ///< what is placed with them

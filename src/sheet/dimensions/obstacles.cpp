@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <iterator>
 
 #include "base/error.hpp"
 #include "dimensions/costs.hpp"
@@ -144,23 +145,17 @@ int Obstacles::faults(const PlacedDimension& item) const {
          (is_on_lines(item) ? 1 : 0);
 }
 
-std::vector<std::string> crossings_of(const PlacedDimensions& placed, const std::vector<std::string>& names,
-                                      const Obstacles& obstacles) {
-  const auto named = [&](std::size_t i) { return "'" + names[i] + "'"; };
-  std::vector<std::string> sentences;
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    if (!placed[i]) continue;
-    std::size_t others = 0;
-    for (std::size_t j = i + 1; j < placed.size() && others <= max_in_crowd; ++j)
-      if (placed[j] && (do_cross(*placed[i], *placed[j]) || have_crossing_leaders(*placed[i], *placed[j])))
-        sentences.push_back(named(i) + " and " + (++others <= max_in_crowd ? named(j) : "more dimensions"));
-    if (obstacles.is_in_other_view(*placed[i]))
-      sentences.push_back(named(i) + " and another view or block of the sheet");
-    else if (obstacles.meets(*placed[i]))
-      sentences.push_back(named(i) + " and something else on the sheet");
-    if (obstacles.is_on_lines(*placed[i])) sentences.push_back(named(i) + " and lines of the view");
+bool have_conflicts(const PlacedDimensions& placed, const Obstacles& obstacles) {
+  for (auto one = placed.begin(); one != placed.end(); ++one) {
+    if (!*one) continue;
+    const auto conflicts_with = [&](const std::optional<PlacedDimension>& other) {
+      return other && (do_cross(**one, *other) || have_crossing_leaders(**one, *other));
+    };
+    if (obstacles.is_in_other_view(**one) || obstacles.meets(**one) || obstacles.is_on_lines(**one) ||
+        std::any_of(std::next(one), placed.end(), conflicts_with))
+      return true;
   }
-  return sentences;
+  return false;
 }
 
 namespace {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "dimensions/conflicts.hpp"
@@ -76,9 +75,8 @@ class Obstacles {
   BoxIndex zones_{}, texts_{}, lines_{}, leaders_{};  ///< of what is placed
 };
 
-/// A sentence for each conflict but the limits of the sheet, and of an item with more than max_in_crowd others for the
-/// first of these. `names` are those of the items; the obstacles are all but these.
-std::vector<std::string> crossings_of(const PlacedDimensions& placed, const std::vector<std::string>& names,
-                                      const Obstacles& obstacles);
+/// Whether an item is in conflict with another one, or with the obstacles, which are all but these; the limits of the
+/// sheet aside.
+bool have_conflicts(const PlacedDimensions& placed, const Obstacles& obstacles);
 
 }  // namespace epura::sheet

@@ -430,7 +430,7 @@ TEST_F(AutomaticDimensions, LintFindsTextsOnLines) {
                  folder / "")
         .out;
   };
-  EXPECT_TRUE(contains(run("21"), "crossing: '30' and lines of the view (view 'front')"));  // an edge is at 24
+  EXPECT_TRUE(contains(run("21"), "crossing: '30' and a visible line (view 'front')"));  // an edge is at 24
   EXPECT_FALSE(contains(run("-12"), "crossing"));
 }
 

@@ -1,33 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <string>
-#include <vector>
-
-#include "dimensions/costs.hpp"
 #include "dimensions/obstacles.hpp"
 #include "sheet/boxes.hpp"
 
 namespace epura::test::conflicts_test {
 namespace {
 
-// Of thousands in one place, each pair would be named.
-TEST(Conflicts, OfDimensionsInACrowdOnlySomeOthersAreNamed) {
-  constexpr std::size_t count = 3 * sheet::max_in_crowd;
+sheet::PlacedDimension with_text_at(const Vec2& place) {
   sheet::PlacedDimension one;
-  one.zones = {sheet::turned_box({{0, 0}, {10, 5}})};
-  const sheet::PlacedDimensions placed(count, one);
-  std::vector<std::string> texts;
-  for (std::size_t i = 0; i < count; ++i) texts.push_back(std::to_string(i));
-  const std::vector<std::string> named = sheet::crossings_of(placed, texts, {drawing::ViewDrawing(), {}});
-  std::size_t expected = 0;
-  for (std::size_t i = 0; i < count; ++i) expected += std::min(count - 1 - i, sheet::max_in_crowd + 1);
-  EXPECT_EQ(named.size(), expected);
-  EXPECT_EQ(named.at(sheet::max_in_crowd - 1), "'0' and '" + std::to_string(sheet::max_in_crowd) + "'");
-  EXPECT_EQ(named.at(sheet::max_in_crowd), "'0' and more dimensions");
-  EXPECT_EQ(named.back(), "'" + texts.at(count - 2) + "' and '" + texts.back() + "'");
+  one.zones = one.text_boxes = {sheet::turned_box({place, place + Vec2(10, 5)})};
+  return one;
+}
+
+TEST(Conflicts, AreOfItemsWithEachOtherAndWithWhatIsThere) {
+  const drawing::ViewDrawing nothing{};
+  sheet::Neighbours other_view;
+  other_view.views = {sheet::turned_box({{30, 0}, {90, 50}})};
+  const sheet::PlacedDimensions apart{with_text_at({0, 0}), std::nullopt, with_text_at({15, 0})},
+      on_each_other{with_text_at({0, 0}), std::nullopt, with_text_at({8, 0})}, inside{with_text_at({28, 0})};
+  EXPECT_FALSE(sheet::have_conflicts({}, {nothing, other_view}));
+  EXPECT_FALSE(sheet::have_conflicts(apart, {nothing, other_view}));
+  EXPECT_TRUE(sheet::have_conflicts(on_each_other, {nothing, other_view}));
+  EXPECT_TRUE(sheet::have_conflicts(inside, {nothing, other_view}));
+  EXPECT_FALSE(sheet::have_conflicts(inside, {nothing, {}}));
 }
 
 }  // namespace

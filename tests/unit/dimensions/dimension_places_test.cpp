@@ -156,7 +156,7 @@ TEST(DimensionPlaces, NarrowLengthsInsideOneAnother) {
   const sheet::PlacedLayer placed_layer =
       sheet::place_dimensions({world, front, dimensions, dimensions.size()}, {lettering, 0.25}, neighbours);
   EXPECT_EQ(placed_layer.texts_left_out, std::vector<std::string>());
-  EXPECT_EQ(placed_layer.crossings, std::vector<std::string>());
+  EXPECT_FALSE(placed_layer.has_conflicts);
   expect_texts_apart(placed_layer.layer);
   expect_no_line_through_a_text(placed_layer.layer, front);
 }
@@ -469,7 +469,7 @@ TEST(DimensionPlaces, NothingIsInsideAnotherView) {
   // Who asks for it has it, and lint says where it stands.
   const sheet::PlacedLayer asked = sheet::place_dimensions({world, front, height}, style, around);
   EXPECT_EQ(asked.layer.texts.size(), 1U);
-  EXPECT_EQ(asked.crossings, (std::vector<std::string>{"'40' and another view or block of the sheet"}));
+  EXPECT_TRUE(asked.has_conflicts);
 }
 
 // A diameter seen edge-on needs lines that lead away from the plane of its circle.

@@ -217,7 +217,7 @@ TEST(RowDimensions, LeaveRoomForAnOverallSize) {
       const drawing::ViewDrawing front = drawing_of(world, orthographic(from_front), scale);
       const sheet::PlacedLayer placed = sheet::place_dimensions({world, front, both, 2}, {sheet::Lettering(), 0.25});
       EXPECT_TRUE(placed.left_out.empty()) << scale << " " << pitch;
-      EXPECT_TRUE(placed.crossings.empty()) << scale << " " << pitch;
+      EXPECT_FALSE(placed.has_conflicts) << scale << " " << pitch;
     }
 }
 
