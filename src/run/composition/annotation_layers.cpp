@@ -263,7 +263,7 @@ void add_layers(std::vector<sheet::Layer>& layers, sheet::Neighbours& around, sh
 // Everything that is in the way of dimensions of a view.
 sheet::Neighbours in_the_way(const sheet::Neighbours& around, const SheetInput& input,
                              std::span<const ViewResult> views, std::size_t view, const sheet::DimensionStyle& style) {
-  sheet::Neighbours neighbours = beside_view(around, input, views, view, style.lettering);
+  sheet::Neighbours neighbours = with_other_views(around, views, view);
   for (const sheet::HoleTable& table : input.annotations[view].tables) {
     sheet::Layer origin;
     sheet::draw_origin(origin, table, views[view].drawing, style);
@@ -567,6 +567,7 @@ AnnotationLayers annotation_layers(const SheetInput& input, std::span<const View
     if (lettering) return;
     around = neighbours_of(furniture, labels, marks, lettering.emplace(furniture.font));
     add_boxes(around.boxes, boundaries_of(input.annotations, views), *lettering);
+    add_centre_lines(around.boxes, input, views, *lettering);
     reserved = reserved_for(input, style());
   };
   result.constructions.resize(views.size());

@@ -259,6 +259,32 @@ void find_crossing_lines(Found& found, const sheet::Sheet& sheet, const std::vec
   });
 }
 
+// Lengths of which one lies on the other: of ink that coincides only one is drawn.
+void find_lengths_on_lengths(Found& found, const sheet::Sheet& sheet) {
+  std::vector<Owner> owners;
+  std::vector<sheet::TurnedBox> lines;
+  std::vector<sheet::Rectangle> boxes;
+  for (std::size_t k = 0; k < sheet.layers.size(); ++k)
+    for (std::size_t i = 0; i < sheet.layers[k].dimensions.size(); ++i) {
+      const sheet::DimensionObject& object = sheet.layers[k].dimensions[i];
+      if (!is_straight(object) || object.oblique != 0) continue;
+      const Vec2 along = sheet::turned_to(object.angle * full_turn / 360);
+      const auto foot = [&](const Vec2& end) {
+        return object.points[2] + glm::dot(end - object.points[2], along) * along;
+      };
+      sheet::TurnedBox line = sheet::line_box(foot(object.points[0]), foot(object.points[1]));
+      line.half = {std::max(0.0, line.half.x - touching), on_line};
+      owners.push_back({k, static_cast<int>(i)});
+      lines.push_back(line);
+      boxes.push_back(sheet::around(line));
+    }
+  visit_meeting(boxes, [&](std::size_t i, std::size_t j) {
+    if (sheet::look_parallel(lines[i], lines[j]) && sheet::overlap(lines[i], lines[j]))
+      found.add(owners[i],
+                in_quotes(found.dimension(owners[i])->text) + " and " + in_quotes(found.dimension(owners[j])->text));
+  });
+}
+
 // Texts of dimensions inside the ink of another view, as whose sizes they would be read.
 void find_in_other_views(Found& found, const sheet::Sheet& sheet, const std::vector<ReadText>& texts) {
   for (const ReadText& text : texts) {
@@ -281,6 +307,7 @@ std::vector<report::Finding> illegible_texts(const sheet::Sheet& sheet) {
   find_texts_on_texts(found, texts);
   find_in_other_views(found, sheet, texts);
   find_crossing_lines(found, sheet, lines, texts);
+  find_lengths_on_lengths(found, sheet);
   return found.take();
 }
 

@@ -119,13 +119,12 @@ sheet::Neighbours with_other_views(sheet::Neighbours neighbours, std::span<const
   return neighbours;
 }
 
-sheet::Neighbours beside_view(sheet::Neighbours neighbours, const SheetInput& input, std::span<const ViewResult> views,
-                              std::size_t view, const sheet::Lettering& lettering) {
-  neighbours = with_other_views(std::move(neighbours), views, view);
+void add_centre_lines(std::vector<sheet::TurnedBox>& boxes, const SheetInput& input, std::span<const ViewResult> views,
+                      const sheet::Lettering& lettering) {
   const sheet::LineWidths widths = sheet::line_widths(input.plan.furniture.paper, input.plan.furniture.styles);
-  for (const sheet::Layer& layer : centre_layers(views[view], input.views.plans[view].options, widths, {}))
-    add_boxes(neighbours.boxes, layer, lettering);
-  return neighbours;
+  for (std::size_t i = 0; i < views.size(); ++i)
+    for (const sheet::Layer& layer : centre_layers(views[i], input.views.plans[i].options, widths, {}))
+      add_boxes(boxes, layer, lettering);
 }
 
 std::vector<sheet::Rectangle> taken_by(const sheet::Neighbours& around, std::span<const ViewResult> views) {

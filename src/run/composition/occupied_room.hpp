@@ -26,9 +26,9 @@ sheet::Neighbours neighbours_of(const sheet::SheetFurniture& furniture, const st
 /// The same with all views but one.
 sheet::Neighbours with_other_views(sheet::Neighbours neighbours, std::span<const ViewResult> views, std::size_t view);
 
-/// The same with the centre lines of this view.
-sheet::Neighbours beside_view(sheet::Neighbours neighbours, const SheetInput& input, std::span<const ViewResult> views,
-                              std::size_t view, const sheet::Lettering& lettering);
+/// Adds the centre lines of all views; some reach far beyond their view.
+void add_centre_lines(std::vector<sheet::TurnedBox>& boxes, const SheetInput& input, std::span<const ViewResult> views,
+                      const sheet::Lettering& lettering);
 
 /// The parts of a sheet on which no table may lie; of many boxes, the cells of a grid that they are in.
 std::vector<sheet::Rectangle> taken_by(const sheet::Neighbours& around, std::span<const ViewResult> views);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/parallel.hpp"
-#include "base/text.hpp"
 #include "composition/annotations.hpp"
 #include "composition/compose.hpp"
 #include "composition/detail_layers.hpp"

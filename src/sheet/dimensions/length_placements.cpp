@@ -138,6 +138,19 @@ LineRun run_at(const Vec2& point, const Vec2& along, const drawing::ViewDrawing&
   return run;
 }
 
+// Its text; with what there is of its line on the side of that, if it stands beyond an end.
+std::vector<TurnedBox> zones_beyond(const PlacedDimension& dimension, const MeasuredLength& length) {
+  TurnedBox zone = dimension.zones.front();
+  const double middle = glm::dot((length.from + length.to) / 2.0 - zone.centre, zone.along);
+  const double half = std::abs(glm::dot(length.to - length.from, zone.along)) / 2;
+  const double text = glm::dot(dimension.text_boxes.front().centre - zone.centre, zone.along);
+  if (std::abs(text - middle) <= half) return dimension.text_boxes;
+  const double from = text > middle ? middle + half : -zone.half.x, to = text > middle ? zone.half.x : middle - half;
+  zone.centre += (from + to) / 2 * zone.along;
+  zone.half.x = (to - from) / 2;
+  return {zone};
+}
+
 // A diameter on the part itself, where lines of its outline stand for extension lines.
 void add_on_part(std::vector<ItemPlacement>& placements, const MeasuredLength& length, const DimensionText& text,
                  const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
@@ -145,11 +158,11 @@ void add_on_part(std::vector<ItemPlacement>& placements, const MeasuredLength& l
                 other = run_at(length.to, length.extension, drawing);
   const double from = std::max(one.from, other.from), size = std::min(one.to, other.to) - from;
   const auto add = [&](PlacedDimension dimension, double cost) {
-    // A centre line crosses it.
+    // A centre line crosses it between its ends.
     for (const Stroke& line : dimension.strokes)
       dimension.lines.push_back(line_box(line.points.front(), line.points.back()));
-    dimension.zones = dimension.text_boxes;
-    check(!dimension.zones.empty(), "a dimension has a text");
+    check(dimension.zones.size() == 1 && dimension.text_boxes.size() >= 1, "a dimension has a line and a text");
+    dimension.zones = zones_beyond(dimension, length);
     placements.push_back({std::move(dimension), cost_of_crossing_it + cost});
   };
   if (size < 2 * nearest_lines) return;

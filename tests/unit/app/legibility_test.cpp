@@ -80,11 +80,13 @@ TEST(Legibility, FindsLinesThroughTexts) {
 }
 
 TEST(Legibility, FindsDimensionsOnEachOther) {
-  sheet::Sheet through = sheet_of(), on = sheet_of(), across = sheet_of();
+  sheet::Sheet through = sheet_of(), on = sheet_of(), along = sheet_of(), across = sheet_of();
   add_length(through, {50, 63}, {80, 63}, 0, {65, 75});
   EXPECT_EQ(found(through), "'30' and a line of '7';");
   add_length(on, {50, 80}, {80, 80}, 0, {66, 62});
   EXPECT_EQ(found(on), "'30' and '7';");
+  add_length(along, {70, 60}, {90, 60}, 0, {85, 61});
+  EXPECT_EQ(found(along), "'30' and '7';");
   add_length(across, {75, 55}, {75, 85}, 90, {80, 70});
   EXPECT_EQ(found(across), "'30' and '7';");
 }
@@ -94,9 +96,9 @@ TEST(Legibility, FindsLeadersOnTextsAndLeaders) {
   through.layers[2].strokes.push_back(line({{60, 50}, {68, 68}, {78, 68}}));
   EXPECT_EQ(found(through), "'30' and a dimension line;");
   for (const double turn : {-1.0, 1.0}) {
-    across.layers[2].strokes.push_back(line({{65 - 10 * turn, 30}, {65 + 10 * turn, 45}, {65 + 20 * turn, 45}}));
+    across.layers[2].strokes.push_back(line({{65 - 10 * turn, 80}, {65 + 10 * turn, 95}, {65 + 20 * turn, 95}}));
     across.layers[2].texts.push_back(
-        {turn < 0 ? "R5" : "R6", {65 + 15 * turn, 46}, 3.5, 0, sheet::Align::middle, "dimension"});
+        {turn < 0 ? "R5" : "R6", {65 + 15 * turn, 96}, 3.5, 0, sheet::Align::middle, "dimension"});
   }
   EXPECT_EQ(found(across), "'R5' and 'R6';");
 }
