@@ -214,10 +214,8 @@ class Judge {
   }
 
   // The circle that the size of a note means: of a thread its bore, of a note at its recess the wall below.
-  [[nodiscard]] WorldCircle circle_meant(const NotedText& text, WorldCircle noted) const {
-    const auto elements = std::span(text.elements).first(text.understood);
-    if (std::ranges::any_of(elements, [](const auto& one) { return one.role == NotedRole::thread; }))
-      return walls_.bore_of(noted, core_of_thread);
+  [[nodiscard]] WorldCircle circle_meant(const NotedText& text, WorldCircle noted, bool is_thread) const {
+    if (is_thread) return walls_.bore_of(noted, core_of_thread);
     if (is_at_recess(text, 2 * noted.radius)) noted.radius = text.size()->least / 2;
     return noted;
   }
@@ -230,7 +228,7 @@ class Judge {
     const bool any_of_hole = std::ranges::any_of(elements, is_of_hole);
     if (!any_of_hole && text.count == 1) return;
     const bool is_thread = std::ranges::any_of(elements, [](const auto& one) { return one.role == NotedRole::thread; });
-    const WorldCircle circle = circle_meant(text, noted);
+    const WorldCircle circle = circle_meant(text, noted, is_thread);
     const std::optional<HoleChain> chain = walls_.chain_at(circle);
     if (!chain && any_of_hole && !is_thread) {
       if (walls_.has_round(circle)) return verdict.deny("no hole there");
