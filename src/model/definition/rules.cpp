@@ -271,11 +271,10 @@ void state_symmetric(const Part& part, const Directions&, const Unknowns& unknow
                                             unknowns.axis_motion(line.face, point, mirror.axis)));
       }
     for (const auto& [face, image] : line.pairs) {
-      const auto mirrored = [&](const Vec3& v) { return v - 2 * glm::dot(v, mirror.axis) * mirror.axis; };
       for (const auto& [point, along] : held_points(part, unknowns, image)) {
-        const Vec3 from = mirror.origin + mirrored(point - mirror.origin);
-        Row row =
-            difference(unknowns.axis_motion(image, point, along), unknowns.axis_motion(face, from, mirrored(along)));
+        const Vec3 from = mirror.origin + glm::reflect(point - mirror.origin, mirror.axis);
+        Row row = difference(unknowns.axis_motion(image, point, along),
+                             unknowns.axis_motion(face, from, glm::reflect(along, mirror.axis)));
         add(row, unknowns.axis_motion(line.face, point, along), -2);
         statement.rows.push_back(tidy(std::move(row)));
       }

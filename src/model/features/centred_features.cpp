@@ -148,9 +148,8 @@ CentredSlot slot_of(const RoundPart& of, const std::array<int, 2>& ends) {
 // if they are no such images.
 std::optional<double> width_between(const surfaces::PartSurface& one, const surfaces::PartSurface& other,
                                     const Vec3& at, const Vec3& normal, double slack) {
-  const auto mirrored = [&](const Vec3& v) { return v - 2 * glm::dot(v, normal) * normal; };
-  const Vec3 off = at + mirrored(one.origin - at) - other.origin;
-  if (glm::length(glm::cross(mirrored(one.axis), other.axis)) > told_apart_sine ||
+  const Vec3 off = at + glm::reflect(one.origin - at, normal) - other.origin;
+  if (glm::length(glm::cross(glm::reflect(one.axis, normal), other.axis)) > told_apart_sine ||
       std::abs(glm::dot(off, other.axis)) > slack)
     return std::nullopt;
   const bool taper = glm::length(glm::cross(one.axis, normal)) > told_apart_sine;

@@ -264,9 +264,9 @@ std::vector<int> first_about_axis(const DrawnPart& drawn) {
 
 // Whether planes are mirror images in another one.
 bool are_images(const PartSurface& one, const PartSurface& other, const PartSurface& mirror, double slack) {
-  const auto mirrored = [&](const Vec3& v) { return v - 2 * glm::dot(v, mirror.axis) * mirror.axis; };
-  const Vec3 off = mirror.origin + mirrored(one.origin - mirror.origin) - other.origin;
-  return features::are_parallel(mirrored(one.axis), other.axis) && std::abs(glm::dot(off, other.axis)) <= slack;
+  const Vec3 off = mirror.origin + glm::reflect(one.origin - mirror.origin, mirror.axis) - other.origin;
+  return features::are_parallel(glm::reflect(one.axis, mirror.axis), other.axis) &&
+         std::abs(glm::dot(off, other.axis)) <= slack;
 }
 
 // Sides of an arm from boss to boss: planes that meet round faces about two parallel axes in corners, with the line of
