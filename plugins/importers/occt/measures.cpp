@@ -88,6 +88,16 @@ int decimals_in(std::string_view format) {
   return decimals <= most_decimals ? decimals : -1;
 }
 
+// The product of decimals of a file, with the digits that a double keeps of any decimal: 0.03 in are 0.762 mm.
+double converted(double number, double unit) {
+  std::array<char, 32> text{};
+  double value = number * unit;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general,
+                                 std::numeric_limits<double>::digits10);
+  if (std::isfinite(value)) std::from_chars(text.data(), end.ptr, value);
+  return value;
+}
+
 }  // namespace
 
 double number_in(std::string_view text) {
@@ -122,9 +132,9 @@ Measure measure_of(const StepGraph& graph, EntityNumber number) {
   const auto unit = unit_of(graph, reference_in(parts->second), 0);
   measure.has_unit = unit.has_value();
   if (unit) {
-    measure.unit = unit->size;
+    measure.unit = converted(1, unit->size);
     measure.is_angle = unit->is_angle;
-    measure.value = unit->size * number_in(parts->first);
+    measure.value = converted(number_in(parts->first), unit->size);
   }
   return measure;
 }

@@ -116,17 +116,17 @@ TEST(Requirements, LengthsInInchesBecomeMillimetresAndAnglesDegrees) {
       step_values(1022, 1020, "#1021");
   const ReadModel model = read(width + step_length(1010, "1.25", "nominal value") + step_values(1012, 1004, "#1010") +
                                    "#1014=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(-0.008),#20);\n"
-                                   "#1015=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(0.008),#20);\n"
+                                   "#1015=LENGTH_MEASURE_WITH_UNIT(LENGTH_MEASURE(0.03),#20);\n"
                                    "#1016=TOLERANCE_VALUE(#1014,#1015);\n#1017=PLUS_MINUS_TOLERANCE(#1016,#1004);\n" +
                                    angle,
                                true);
   const ModelRequirement &length = named(model, "#1004"), &turn = named(model, "#1020");
-  EXPECT_NEAR(length.value, 31.75, 1e-12);
-  EXPECT_NEAR(length.lower, -0.2032, 1e-12);
-  EXPECT_NEAR(length.upper, 0.2032, 1e-12);
+  EXPECT_EQ(length.value, 31.75);
+  EXPECT_EQ(length.lower, -0.2032);
+  EXPECT_EQ(length.upper, 0.762);
   EXPECT_EQ(length.unit, 25.4);
   EXPECT_FALSE(length.is_angle);
-  EXPECT_NEAR(turn.value, 60, 1e-9);
+  EXPECT_EQ(turn.value, 60);
   EXPECT_TRUE(turn.is_angle);
 }
 
