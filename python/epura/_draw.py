@@ -120,12 +120,12 @@ def draw(
 ) -> Drawing:
     """Draws a `Scene`, a scene file (.toml), or one model: whatever `Model` takes, or vertices (n, 3) with faces.
 
-    Of one model: `projection` is its view, by default isometric, and "auto" with automatic dimensions, with `parameters`
-    (`epura plugins NAME`); `views` are several instead. `hidden`: style of hidden lines; `size` of the paper, such as
-    "A4"; `scale`: mm on paper per mm, or "1:2"; `title`; `sheet`: other options of the sheet; `dimensions`: "overall",
-    "auto" or "hole-table", or a list, with `arrangement`; `section` of a single view: "0,0,10:0,-1,0", or a Section; `explode`: a factor; `parts_list`; and all
-    options of `View`, `Sheet` and `Model`, and fields of the title block, by their names: `edges=["contour"]`,
-    `angle="third"`, `unit="in"`, `owner="Works"`.
+    Of one model: `projection` is its view, by default isometric, and "auto" with automatic dimensions or `pmi`, with
+    `parameters` (`epura plugins NAME`); `views` are several instead. `hidden`: style of hidden lines; `size` of the
+    paper, such as "A4"; `scale`: mm on paper per mm, or "1:2"; `title`; `sheet`: other options of the sheet;
+    `dimensions`: "overall", "auto" or "hole-table", or a list, with `arrangement`; `section` of a single view:
+    "0,0,10:0,-1,0", or a Section; `explode`: a factor; `parts_list`; and all options of `View`, `Sheet` and `Model`,
+    and fields of the title block, by their names: `edges=["contour"]`, `angle="third"`, `unit="in"`, `owner="Works"`.
 
     Of every drawing: `contact`: distance below which faces touch; `wireframe`: no hidden lines are removed;
     `max_error`: mm on paper by which lines may be off those of the part, with facets, arcs and decimals chosen for it;
@@ -157,10 +157,10 @@ def draw(
             scene = model
         else:
             parts = parted(options, [*(name for name in of_one if name not in options), *settings])
-            has_sizes = dimensions in ("auto", "hole-table") and section is None
+            has_sizes = dimensions in ("auto", "hole-table") or parts.model.get("pmi", "none") != "none"
             scene = Scene(models=[_model_of(model, faces, parts)],
                           views=_views_of(projection, parameters, views, {"hidden": hidden, **parts.view},
-                                          "auto" if has_sizes else "isometric"),
+                                          "auto" if has_sizes and section is None else "isometric"),
                           sheets=_sheets_of(sheet, {"size": size, "scale": scale, **parts.sheet},
                                             {"title": title, **parts.title_block}),
                           dimensions=dimensions_of(dimensions, arrangement),

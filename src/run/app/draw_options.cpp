@@ -145,7 +145,7 @@ scene::Options<Draw> view_and_line_options() {
       projections_option("projection of a view, NAME[:key=value...]; repeat for more views; 'epura plugins' lists them",
                          &Draw::projections),
       views_option("several views on one sheet, e.g. front,top,left,isometric; auto, the default with automatic "
-                   "dimensions: front, top, left, and those that show what these and requirements lack",
+                   "dimensions or --pmi: front, top, left, and those that show what these lack",
                    &Draw::views),
       scene::option<Draw>({.flag = "--section",
                            .help = "cut the models, e.g. 0,0,10:0,-1,0; removes the side that the normal points to"},

@@ -103,7 +103,12 @@ void take_size_of_form(scene::SheetDescription& sheet) {
 }  // namespace
 
 const char* usual_projection(const scene::SceneDescription& scene) {
-  return dimensions_features(scene) ? "auto" : "isometric";
+  const auto draws_requirements = [](const scene::ModelDescription& model) {
+    return model.pmi.value_or(Pmi::none) != Pmi::none;
+  };
+  const bool is_measured = dimensions_features(scene) || !scene.requirements.empty() ||
+                           std::any_of(scene.models.begin(), scene.models.end(), draws_requirements);
+  return is_measured ? "auto" : "isometric";
 }
 
 void complete_scene(scene::SceneDescription& scene) {

@@ -127,7 +127,7 @@ TEST_F(AutomaticViews, ARevisionHasTheViewsOfTheNewVersion) {
   EXPECT_EQ(views(), "front top left bottom");
 }
 
-TEST_F(AutomaticViews, AreTheDefaultOfAutomaticDimensions) {
+TEST_F(AutomaticViews, AreTheDefaultOfAutomaticDimensionsAndRequirements) {
   const auto views_with = [&](const std::vector<std::string>& more) {
     std::vector<std::string> words{"draw", "block.obj", "-o", "a.json"};
     words.insert(words.end(), more.begin(), more.end());
@@ -137,6 +137,8 @@ TEST_F(AutomaticViews, AreTheDefaultOfAutomaticDimensions) {
   EXPECT_EQ(views_with({"--dimensions", "auto"}).substr(0, 14), "front top left");
   EXPECT_EQ(views_with({"--dimensions", "hole-table"}).substr(0, 14), "front top left");
   EXPECT_EQ(views_with({"--dimensions", "auto", "--projection", "top"}), "top");
+  EXPECT_EQ(views_with({"--pmi", "all"}).substr(0, 14), "front top left");
+  EXPECT_EQ(views_with({"--pmi", "none"}), "isometric");
   EXPECT_EQ(views_with({"--dimensions", "overall"}), "isometric");
 }
 
