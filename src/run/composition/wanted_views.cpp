@@ -129,6 +129,12 @@ std::vector<std::string> views_for_hidden(const world::World& world, const Sheet
 }
 
 std::size_t add_views(scene::SceneDescription& scene, int sheet, std::span<const std::string> projections) {
+  const auto is_usual = [sheet](const scene::ViewDescription& view) {
+    return view.is_automatic && view.sheet.value_or(1) == sheet + 1;
+  };
+  const auto found = std::ranges::find_if(scene.views, is_usual);
+  if (found == scene.views.end()) return 0;
+  const scene::ViewDescription usual = *found;
   std::size_t added = 0;
   for (const std::string& projection : projections) {
     const scene::ProjectionRequest request = scene::parse_request(projection);
@@ -137,9 +143,9 @@ std::size_t add_views(scene::SceneDescription& scene, int sheet, std::span<const
              view.projection->name == request.name && view.projection->assignments == request.assignments;
     };
     if (std::any_of(scene.views.begin(), scene.views.end(), has_it)) continue;
-    scene::ViewDescription& view = scene.views.emplace_back();
+    scene::ViewDescription& view = scene.views.emplace_back(usual);
     view.projection = {request, "--views auto"};
-    view.sheet = {sheet + 1, "--views auto"};
+    view.name = {};
     ++added;
   }
   scene::name_views(scene.views);

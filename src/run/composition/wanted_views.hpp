@@ -42,7 +42,8 @@ std::vector<std::string> views_for_hidden(const world::World& world, const Sheet
                                           std::span<const view::ProjectedScene> seen,
                                           std::span<const Annotations> annotations, const Progress& progress);
 
-/// Adds views with names of their own to a sheet of a scene, but none that it has. Returns how many.
+/// Adds views with names of their own to a sheet of a scene, as its automatic ones, but none that it has. Returns how
+/// many.
 std::size_t add_views(scene::SceneDescription& scene, int sheet, std::span<const std::string> projections);
 
 }  // namespace epura::pipeline

@@ -116,6 +116,16 @@ TEST_F(AutomaticViews, WhatNoViewShowsIsProposedAndDrawnOnRequest) {
   EXPECT_EQ(found["views_to_add"].items[0].text, "bottom");
 }
 
+TEST_F(AutomaticViews, ThatAreAddedHaveTheOptionsOfTheOthers) {
+  require_flat(floor());
+  for (const char* style : {"dashed", "none"}) {
+    const Outcome drawn = run("draw", "\"auto\"", {"--hidden", style});
+    EXPECT_EQ(drawn.code, 0) << drawn.err;
+    EXPECT_EQ(views(), "front top left bottom");
+    EXPECT_EQ(contains(read_file(folder_ / "a.svg"), "bottom-hidden"), std::string(style) == "dashed");
+  }
+}
+
 // The views of an older version are those of the new one.
 TEST_F(AutomaticViews, ARevisionHasTheViewsOfTheNewVersion) {
   require_flat(floor());
