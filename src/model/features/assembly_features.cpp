@@ -159,6 +159,10 @@ PartFeatures assembly_features(const world::World& world, const PartFeatures& al
   return features;
 }
 
+bool has_too_many_parts(const PartFeatures& features) {
+  return std::ranges::all_of(features.unplaced, [](std::size_t count) { return count > 0; });
+}
+
 std::vector<std::string> unplaced_parts(const std::array<std::size_t, 3>& unplaced) {
   std::vector<std::string> names;
   for (std::size_t axis = 0; axis < 3; ++axis)

@@ -24,6 +24,9 @@ PartFeatures assembly_features(const world::World& world, const PartFeatures& al
 /// "43 places of parts along x", by axis with any: of PartFeatures::unplaced.
 std::vector<std::string> unplaced_parts(const std::array<std::size_t, 3>& unplaced);
 
+/// Whether the parts of an assembly are too many for places along each axis: holes are then without sizes, too.
+bool has_too_many_parts(const PartFeatures& features);
+
 /// How many parts are too small for a place, as above.
 std::size_t parts_without_place(const world::World& world);
 

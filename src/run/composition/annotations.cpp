@@ -56,6 +56,7 @@ std::vector<sheet::NamedProjection> views_to_measure(const world::World& world,
     view.name = *views[i].name;
     view.projection = seen[i].projection;
     view.slack = on_plane(world);
+    view.shows_inside = plans[i].options.shows_inside;
     if (const auto section = sections.find(views[i].section.value_or("")); section != sections.end())
       view.section = &section->second;
   }

@@ -137,6 +137,7 @@ std::vector<sheet::DimensionsInView> anchored_dimensions(const world::World& wor
     views.push_back({*sheet.descriptions[i].name, seen[i].projection,
                      sheet::find_anchors(world, turned ? annotations[i].unturned : annotations[i].dimensions)});
     views.back().has_centre_lines = sheet.plans[i].options.centre_lines;
+    views.back().shows_inside = sheet.plans[i].options.shows_inside;
     for (const sheet::HoleTable& table : annotations[i].tables)
       for (const sheet::HoleRow& row : table.rows) views.back().sizes_in_tables[row.label] = row.size;
     for (const ViewCallout& callout : annotations[i].callouts)

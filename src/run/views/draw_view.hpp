@@ -38,6 +38,7 @@ struct ViewOptions {
   edges::EdgeOptions edges;
   bool wireframe = false;                       ///< nothing is hidden
   bool exploded = false;                        ///< bodies are not where dimensions find them
+  bool shows_inside = true;                     ///< by hidden lines, a section or broken-out ones
   std::optional<cut::CuttingSurface> turned{};  ///< of an aligned section, whose parts are elsewhere, too
   std::optional<double> max_error;              ///< mm; chords are drawn as arcs only if they rise less
   sheet::BodyStyles styles;

@@ -87,9 +87,12 @@ void expect_places_of_parts(const SheetOfViews& views, const scene::SceneDescrip
 
 void choose_by_world(SheetOfViews& views, const scene::SceneDescription& scene, const ShownWorlds& worlds,
                      std::span<const view::ProjectedScene> seen) {
-  if (features::is_assembly(worlds.main())) expect_places_of_parts(views, scene);
+  const bool of_parts = features::is_assembly(worlds.main());
+  if (of_parts) expect_places_of_parts(views, scene);
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    const scene::ViewDescription& view = views.descriptions[i];
+    scene::ViewDescription& view = views.descriptions[i];
+    // The hidden lines of parts behind parts make an assembly unreadable.
+    if (of_parts && view.is_automatic && !view.hidden.given()) view.hidden = {HiddenLines::none, "--views auto"};
     const ShownWorld& shown = worlds.of(view);
     const CutSection* section = section_of(shown.sections, view);
     ViewOptions& chosen = views.plans[i].options;
@@ -98,6 +101,9 @@ void choose_by_world(SheetOfViews& views, const scene::SceneDescription& scene, 
     chosen.exploded = !worlds.is_main(view);
     chosen.revolved = cut_revolved(shown.world, scene, view, seen[i].projection);
     chosen.styles = styles_of(scene, view, section == nullptr ? shown.world : section->cut.world, seen[i].projection);
+    const auto is_broken_out = [&view](const scene::BrokenOutDescription& one) { return *one.view == *view.name; };
+    chosen.shows_inside = section != nullptr || chosen.wireframe || chosen.keep_hidden() ||
+                          std::ranges::any_of(scene.broken_outs, is_broken_out);
   }
 }
 

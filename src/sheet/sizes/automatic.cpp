@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "features/assembly_features.hpp"
 #include "sizes/axis_positions.hpp"
 #include "sizes/cone_dimensions.hpp"
 #include "sizes/cylinder_dimensions.hpp"
@@ -72,8 +73,7 @@ Planned places_beside_round_ends(const Planning& plan) {
   return planned;
 }
 
-// Of holes in an assembly whose parts have no places along any axis, since they are too many: they are for drawings of
-// groups of parts.
+// Of holes in a crowded assembly: they are for drawings of groups of parts.
 Planned sizes_left_out(const Planning& plan) {
   Planned planned;
   for (const auto& group : equal_features(plan.table, SizeKind::hole, plan.subject.features.holes)) {
@@ -88,7 +88,7 @@ Planned sizes_left_out(const Planning& plan) {
 
 Planned dimensions_of_features(const Planning& plan, std::span<const NamedProjection> views) {
   Planned planned = overall_sizes(plan, views);
-  if (std::ranges::all_of(plan.subject.features.unplaced, [](std::size_t count) { return count > 0; })) {
+  if (features::has_too_many_parts(plan.subject.features)) {
     planned.append(sizes_left_out(plan));
     return planned;
   }

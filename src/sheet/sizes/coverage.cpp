@@ -15,6 +15,7 @@
 #include "base/error.hpp"
 #include "base/joined.hpp"
 #include "base/text.hpp"
+#include "features/assembly_features.hpp"
 #include "features/tolerances.hpp"
 #include "sizes/coordinates.hpp"
 #include "sizes/equal_features.hpp"
@@ -43,8 +44,9 @@ bool is_seen_along(const Vec3& axis, std::span<const DimensionsInView> views) {
   });
 }
 
-bool is_seen_beside(const Vec3& axis, std::span<const DimensionsInView> views) {
+bool is_seen_beside(const Vec3& axis, bool inside, std::span<const DimensionsInView> views) {
   return std::any_of(views.begin(), views.end(), [&](const DimensionsInView& view) {
+    if (inside && !view.shows_inside) return false;
     if (view.turned_about) return features::are_parallel(*view.turned_about, axis);
     return is_orthographic(view.projection) && std::abs(glm::dot(view.projection.n, axis)) <= features::parallel;
   });
@@ -63,10 +65,8 @@ std::string view_along(const Vec3& axis) {
   return name;
 }
 
-/// What to say of a circle or arc around an axis along which no view looks; nothing if one does, or if its size can
-/// also be given beside the axis and a view looks from there.
-Remedy remedy_for(const Vec3& axis, bool only_along, std::span<const DimensionsInView> views) {
-  if (is_seen_along(axis, views) || (!only_along && is_seen_beside(axis, views))) return {};
+/// What to say of a circle or arc around an axis along which no view looks.
+Remedy remedy_along(const Vec3& axis) {
   const std::string view = view_along(axis);
   return {", which no view shows in its true form", view};
 }
@@ -158,7 +158,10 @@ Vec3 outward_axis(const FeatureSize& size, const Box& box) {
 Remedy remedy_for_size(const FeatureSize& size, const Dimensioned& sheet) {
   if (size.kind == SizeKind::hexagon) return {};
   const bool is_only_along = size.is_anywhere() || size.kind == SizeKind::pitch_circle || size.kind == SizeKind::side;
-  return remedy_for(outward_axis(size, sheet.subject.world.box), is_only_along, sheet.views);
+  const Vec3 axis = outward_axis(size, sheet.subject.world.box);
+  if (is_seen_along(axis, sheet.views)) return {};
+  const bool is_seen = !is_only_along && is_seen_beside(axis, size.kind == SizeKind::hole, sheet.views);
+  return is_seen ? Remedy{} : remedy_along(axis);
 }
 
 Missing missing_sizes(const Dimensioned& sheet) {
@@ -424,8 +427,10 @@ Coverage find_coverage(std::span<const DimensionsInView> views, const DimensionS
   for (const Sentences& more :
        {sizes.sentences, of_models.sentences, turned.missing, missing_angles(sheet), faces.unaccounted})
     missing = joined(std::move(missing), more);
-  Coverage coverage{std::move(faces.counts), merged(missing), merged(joined(places.repeated, repeated_sizes(sheet))),
-                    distinct(joined(sizes.views, of_models.views))};
+  Coverage coverage{
+      std::move(faces.counts), merged(missing), merged(joined(places.repeated, repeated_sizes(sheet))), {}};
+  if (!features::has_too_many_parts(subject.features))
+    coverage.views_to_add = distinct(joined(sizes.views, of_models.views));
   if (!coverage.undimensioned.empty()) coverage.transform_to_add = sheet.transform;
   if (subject.features.of_assembly) coverage.counts.push_back(count_places(sheet, places));
   if (!subject.features.holes.empty()) coverage.counts.push_back(count_holes(sheet, places, turned.holes));

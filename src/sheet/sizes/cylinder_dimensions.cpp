@@ -93,7 +93,8 @@ Planned dimensions_of_equal(const Planning& plan, const CylinderGroup& group) {
   // Across an interrupted one, its outline may not be seen.
   const bool is_clear = across != nullptr && (group.front()->whole || along == nullptr);
   const NamedProjection* view = is_clear ? across : along;
-  if (view == nullptr && group.front()->whole) view = view_beside<CylinderFeature>(plan.views, group, end);
+  if (view == nullptr && group.front()->whole)
+    view = view_beside<CylinderFeature>(plan.views, group, end, group.front()->inwards);
   if (view == nullptr) return planned;
   const CylinderFeature& shown = *uppermost<CylinderFeature>(group, *view, end);
   check(shown.called() > 0, "a cylinder has a radius");

@@ -26,6 +26,7 @@ struct DimensionsInView {
   std::vector<AnchoredDimension> dimensions;  ///< in the world, where an aligned section turns nothing
   std::optional<Vec3> turned_about{};  ///< of an aligned section: the direction in which lengths stay as they are
   bool has_centre_lines = true;
+  bool shows_inside = true;  ///< a section, or with hidden lines
   std::vector<LeaderNote> notes{};
   std::map<std::string, std::string> sizes_in_tables{};  ///< of holes, by label: "A1", "⌀8 ↧20"
 };

@@ -160,7 +160,7 @@ bool are_on_axis(const Planning& plan, const HoleGroup& group) {
 std::pair<const NamedProjection*, const HoleFeature*> view_of_radial(const Planning& plan, const HoleGroup& holes) {
   for (const HoleFeature* hole : holes)
     if (const NamedProjection* along = plan.views.along(hole->axis, true)) return {along, hole};
-  return {view_beside<HoleFeature>(plan.views, holes, mouth_of), holes.front()};
+  return {view_beside<HoleFeature>(plan.views, holes, mouth_of, true), holes.front()};
 }
 
 // The angle between the axes of slanted holes and that of the part, in a view that shows both.
@@ -217,7 +217,8 @@ Planned hole_dimensions(const Planning& plan) {
   for (const HoleGroup& group : groups_of_holes(plan)) {
     const NamedProjection* along = plan.views.along(group.front()->axis, !group.front()->through);
     if (along != nullptr && is_removed(group, *along)) along = nullptr;
-    const NamedProjection* view = along != nullptr ? along : view_beside<HoleFeature>(plan.views, group, mouth_of);
+    const NamedProjection* view =
+        along != nullptr ? along : view_beside<HoleFeature>(plan.views, group, mouth_of, true);
     if (view == nullptr) {
       planned.omitted.askew[size_of(plan, group.front()).name] += group.size();
       continue;

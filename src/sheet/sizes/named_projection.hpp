@@ -18,6 +18,7 @@ struct NamedProjection {
   double slack = 0;                              ///< up to which points are on the planes of the section
   std::function<bool(const Vec3&)> shows{};      ///< whether nothing hides a point of the models; empty: as if nothing
                                                  ///< hid any
+  bool shows_inside = true;                      ///< a section, or with hidden lines
 
   /// Of an aligned section, which shows parts of the models elsewhere.
   [[nodiscard]] bool aligned() const { return section != nullptr && section->aligned; }

@@ -87,13 +87,14 @@ const Feature* uppermost(const std::vector<const Feature*>& group, const NamedPr
                            [&](const Feature* a, const Feature* b) { return height(a) < height(b); });
 }
 
-/// A view that shows one of several equal features from the side; null if there is none.
+/// A view that shows one of several equal features from the side; null if there is none. `inside`: as in
+/// ViewChoice::beside.
 template <class Feature>
 const NamedProjection* view_beside(const ViewChoice& views, const std::vector<const Feature*>& group,
-                                   const std::function<Vec3(const Feature&)>& centre) {
+                                   const std::function<Vec3(const Feature&)>& centre, bool inside) {
   const NamedProjection* view = nullptr;
   for (std::size_t i = 0; i < group.size() && view == nullptr; ++i)
-    view = views.beside(group[i]->axis, centre(*group[i]));
+    view = views.beside(group[i]->axis, centre(*group[i]), inside);
   return view;
 }
 

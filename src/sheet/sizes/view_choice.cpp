@@ -67,9 +67,9 @@ const NamedProjection* ViewChoice::across(const Vec3& axis, const Vec3& at) cons
   return nullptr;
 }
 
-const NamedProjection* ViewChoice::beside(const Vec3& axis, const Vec3& at) const {
-  const auto is_beside = [](const NamedProjection* view, const Vec3& direction) {
-    return std::abs(glm::dot(view->projection.n, direction)) <= features::parallel;
+const NamedProjection* ViewChoice::beside(const Vec3& axis, const Vec3& at, bool inside) const {
+  const auto is_beside = [inside](const NamedProjection* view, const Vec3& direction) {
+    return (view->shows_inside || !inside) && std::abs(glm::dot(view->projection.n, direction)) <= features::parallel;
   };
   for (const NamedProjection* view : views_)
     if (is_beside(view, axis)) return view;

@@ -27,8 +27,9 @@ class ViewChoice {
   [[nodiscard]] const NamedProjection* showing(std::span<const scene::FeatureCircle> circles) const;
   /// The first view in which the axis of what is at a point is horizontal or vertical; null if there is none.
   [[nodiscard]] const NamedProjection* across(const Vec3& axis, const Vec3& at) const;
-  /// The first view to which it is parallel, in whatever direction on paper; null if there is none.
-  [[nodiscard]] const NamedProjection* beside(const Vec3& axis, const Vec3& at) const;
+  /// The first view to which it is parallel, in whatever direction on paper; null if there is none. `inside`: the axis
+  /// is of what is inside of the models.
+  [[nodiscard]] const NamedProjection* beside(const Vec3& axis, const Vec3& at, bool inside = false) const;
 
  private:
   std::vector<const NamedProjection*> views_, aligned_;

@@ -13,6 +13,7 @@
 #include "drawn_texts.hpp"
 #include "errors.hpp"
 #include "folder.hpp"
+#include "known_parts.hpp"
 #include "program.hpp"
 
 namespace epura::test::assembly_dimensions_test {
@@ -56,6 +57,18 @@ TEST(AssemblyDimensions, AreOverallSizesAndPlacesOfParts) {
     EXPECT_EQ(run.code, 0) << run.out << run.err;
   }
   EXPECT_EQ(sorted(dimensions_in(read_file(folder / "x.svg"))), sorted({"40", "20", "26", "12", "5", "10"}));
+}
+
+// A small box is behind a large one.
+TEST(AssemblyDimensions, TheirViewsHaveHiddenLinesOnRequest) {
+  const Folder folder;
+  folder.file("two.obj", box({0, 0, 0}, {40, 20, 10}, 1) + box({12, 30, 0}, {21, 44, 6}, 9));
+  std::vector<std::string> words{"draw", "two.obj", "--dimensions", "auto", "-o", "x.svg"};
+  EXPECT_EQ(epura(words, folder / "").code, 0);
+  EXPECT_FALSE(contains(read_file(folder / "x.svg"), "front-hidden"));
+  words.insert(words.end(), {"--hidden", "dashed"});
+  EXPECT_EQ(epura(words, folder / "").code, 0);
+  EXPECT_TRUE(contains(read_file(folder / "x.svg"), "front-hidden"));
 }
 
 // What of an assembly is counted, and what is not: the view from the front shows no place along y.
@@ -127,6 +140,26 @@ TEST(AssemblyDimensions, ManyPartsHaveNoPlaces) {
     EXPECT_EQ(std::count(texts.begin(), texts.end(), "24.6"), has_all ? 1 : 0);
     for (const char* size : {"500", "20", "26", "5", "10"})
       EXPECT_GE(std::count(texts.begin(), texts.end(), size), 1) << size << " of " << count;
+  }
+}
+
+// A bore in a plate that leans needs a view of its own, where it is one of few parts. Of many its size is left out.
+TEST(AssemblyDimensions, HolesOfManyPartsAddNoViews) {
+  for (const int count : {2, 25}) {
+    const Folder folder;
+    folder.file("plate.obj", plate({20, 20}, 1, 1, 5, stepped_hole({{4, 5}, {4, 0}})));
+    std::string parts;
+    for (int i = 0; i < count; ++i) {
+      const double at = 30 + 9.5 * i + 0.1 * i * i;
+      parts += box({at, at, at}, {at + 6, at + 5, at + 4}, 1 + 8 * i);
+    }
+    folder.file("boxes.obj", parts);
+    folder.file("all.toml",
+                "views = [\"auto\"]\nmodel = [{file = \"plate.obj\", transform = \"rotate:x,30\"}, {file = "
+                "\"boxes.obj\"}]\ndimension = [{type = \"auto\"}]\n");
+    const Outcome drawn = epura({"draw", "all.toml", "-o", "x.svg"}, folder / "");
+    ASSERT_EQ(drawn.code, 0) << drawn.err;
+    EXPECT_EQ(contains(read_file(folder / "x.svg"), "auxiliary"), count == 2) << drawn.err;
   }
 }
 
