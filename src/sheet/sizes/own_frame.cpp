@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -39,26 +40,46 @@ Directions directions_of(const std::vector<surfaces::PartFace>& faces) {
   return directions;
 }
 
+// Of these alone frames are made: a gear has one for each flank.
+std::span<const Directions::value_type> largest_of(const Directions& directions) {
+  constexpr std::size_t most = 12;
+  return std::span(directions).first(std::min(directions.size(), most));
+}
+
+bool has(const Directions& directions, double area, const Vec3& direction) {
+  return std::ranges::any_of(largest_of(directions), [&](const auto& one) {
+    return features::are_parallel(one.second, direction) && features::are_same(one.first, area);
+  });
+}
+
+// Faces that mirror each other in a plane of the frame count half: an angle gives what lengths would.
 double area_along(const Directions& directions, const Mat3& frame) {
   double area = 0;
-  for (const auto& [own, direction] : directions)
-    for (int axis = 0; axis < 3; ++axis)
-      if (features::are_parallel(direction, frame[axis])) area += own;
+  for (const auto& [own, direction] : directions) {
+    double share = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Vec3 mirrored = glm::reflect(direction, frame[axis]);
+      if (features::are_parallel(direction, frame[axis])) share = 1;
+      if (share == 0 && !features::are_parallel(direction, mirrored) && has(directions, own, mirrored)) share = 0.5;
+    }
+    area += share * own;
+  }
   return area;
 }
 
-// Of two directions that are square to each other, or of one and an axis of the world as far as it is square to it.
+// Of two directions that are square to each other; of the sum and the difference of those of equal faces, which mirror
+// each other; or of one and an axis of the world as far as it is square to it.
 std::vector<Mat3> frames_of(const Directions& directions) {
-  constexpr std::size_t most = 12;
   std::vector<Mat3> frames;
   const auto add = [&](const Vec3& first, const Vec3& second) {
     frames.emplace_back(first, second, glm::cross(first, second));
   };
-  for (std::size_t i = 0; i < std::min(directions.size(), most); ++i) {
-    const Vec3& first = directions[i].second;
-    for (std::size_t j = 0; j < std::min(directions.size(), most); ++j)
-      if (const Vec3& second = directions[j].second; std::abs(glm::dot(first, second)) <= features::parallel)
+  for (const auto& [own, first] : largest_of(directions)) {
+    for (const auto& [other, second] : largest_of(directions))
+      if (std::abs(glm::dot(first, second)) <= features::parallel)
         add(first, glm::normalize(second - glm::dot(first, second) * first));
+      else if (!features::are_parallel(first, second) && features::are_same(own, other))
+        add(glm::normalize(first + second), glm::normalize(first - second));
     for (int axis = 0; axis < 3; ++axis)
       if (const Vec3 flat = Mat3(1)[axis] - first[axis] * first; glm::length(flat) > 0.5)
         add(first, glm::normalize(flat));

@@ -220,6 +220,17 @@ TEST_F(MissingSizes, OfPartsThatLieAskewAreGivenAlongTheirOwnAxes) {
     }
 }
 
+// A part whose sides mirror each other lies straight where its middle does.
+TEST_F(MissingSizes, OfPartsBetweenSlopesAreGivenAlongTheirMiddle) {
+  const std::string part = folder.file("part.obj", block({{0, -10}, {60, -4}, {60, 4}, {0, 10}}, 5));
+  for (const auto& [turned, proposed] : {std::pair("rotate:z,0", ""), std::pair("rotate:z,30", "rotate:z,-30")}) {
+    const Outcome found =
+        epura({"lint", part, "--views", "front", "--dimensions", "auto", "--transform", turned}, folder / "");
+    EXPECT_EQ(found.code, 1) << found.err;
+    EXPECT_EQ(proposed_transform(found.out + found.err), proposed) << found.out << found.err;
+  }
+}
+
 /// Sheets of metal, both sides of which are one line.
 std::vector<KnownPart> foils() {
   std::vector<KnownPart> parts;
