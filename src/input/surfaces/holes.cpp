@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 
+#include "base/nearest.hpp"
 #include "surfaces/limits.hpp"
 
 namespace epura::surfaces {
@@ -143,18 +144,22 @@ class HoleFinder {
   std::vector<char> used_;
 };
 
+Vec3 seen_along(const Vec3& point, const Vec3& axis) { return point - glm::dot(point, axis) * axis; }
+
 }  // namespace
 
 std::optional<double> height_on_axis(const std::array<Vec3, 3>& corners, const Vec3& axis, double slack) {
   std::array<double, 3> area;  // opposite to each corner, seen along the axis; twice
   for (int k = 0; k < 3; ++k) area[k] = glm::dot(axis, glm::cross(corners[(k + 1) % 3], corners[(k + 2) % 3]));
   const double sum = area[0] + area[1] + area[2], way = sum < 0 ? -1 : 1;
-  double longest = 0;
+  double longest = 0, aside = HUGE_VAL;
   for (int k = 0; k < 3; ++k) {
-    const double side = glm::length(glm::cross(axis, corners[(k + 2) % 3] - corners[(k + 1) % 3]));
-    if (way * area[k] < -slack * side) return std::nullopt;
-    longest = std::max(longest, side);
+    const Vec3 from = seen_along(corners[(k + 1) % 3], axis), to = seen_along(corners[(k + 2) % 3], axis);
+    longest = std::max(longest, glm::distance(from, to));
+    aside = std::min(aside, distance_to_segment(Vec3(0), from, to));
   }
+  const bool is_inside = std::all_of(area.begin(), area.end(), [way](double one) { return way * one >= 0; });
+  if (!is_inside && aside > slack) return std::nullopt;
   if (std::abs(sum) <= slack * longest) return std::nullopt;  // along the axis
   return glm::dot(axis, area[0] * corners[0] + area[1] * corners[1] + area[2] * corners[2]) / sum;
 }

@@ -68,6 +68,23 @@ TEST(Holes, ADrillPointEndsThemWhereverThePartLies) {
     }
 }
 
+// The plane around a through hole is cut into triangles whose sharp corners may point at its axis: what their sides
+// would prolong closes no end.
+TEST(Holes, ANeedleThatPointsAtTheirAxisEndsThemNot) {
+  const Vec3 axis(0, 0, 1);
+  const double slack = 0.016;  // of a file with three decimals
+  const std::array<Vec3, 3> needle{Vec3(-100, -0.1, 7), Vec3(-100, 0.1, 7), Vec3(-10, 0, 7)};
+  EXPECT_FALSE(surfaces::height_on_axis(needle, axis, slack));
+  EXPECT_FALSE(surfaces::height_on_axis({needle[1], needle[0], needle[2]}, axis, slack));
+  for (const double way : {9.99, 30.0}) {
+    std::array<Vec3, 3> moved = needle;
+    for (Vec3& corner : moved) corner.x += way;
+    const auto height = surfaces::height_on_axis(moved, axis, slack);
+    ASSERT_TRUE(height) << way;
+    EXPECT_NEAR(*height, 7, 1e-9) << way;
+  }
+}
+
 TEST(Holes, StepsAndCountersinksBelongTogether) {
   const auto holes = holes_of(revolved({{4, 0}, {20, 0}, {20, 30}, {9, 30}, {7, 28}, {7, 20}, {4, 20}, {4, 0}}, 36));
   ASSERT_EQ(holes.size(), 1U);
