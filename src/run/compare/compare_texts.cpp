@@ -51,6 +51,13 @@ class TextPairs {
     each_pair([&](const PictureText& a,
                   const PictureText& b) { return pair_if(a.words == b.words && overlap(a, b), apart(a, b), HUGE_VAL); },
               Change::restyled);
+    // Notes of one kind belong together wherever they stand; plain lengths only where they do.
+    each_pair(
+        [&](const PictureText& a, const PictureText& b) {
+          return pair_if(is_same_view(a, b) && is_note(a) && !changed_places(a, b) && is_size(a, b), apart(a, b),
+                         HUGE_VAL);
+        },
+        Change::text);
     each_pair(
         [&](const PictureText& a, const PictureText& b) {
           return pair_if(overlap(a, b) && !changed_places(a, b), glm::distance(middle(a), middle(b)), HUGE_VAL);
@@ -85,6 +92,10 @@ class TextPairs {
     };
     return is_same_view(a, b) && std::ranges::any_of(new_, has_words_of(a)) &&
            std::ranges::any_of(old_, has_words_of(b));
+  }
+
+  static bool is_note(const PictureText& text) {
+    return text.words.find_first_not_of("0123456789.,") != std::string::npos;
   }
 
   // Whether both are values of one size, in one direction.

@@ -330,6 +330,26 @@ TEST(Compare, TellsADiameterOnceWhereverItsNoteStands) {
       << "a hole whose size is not";
 }
 
+// Where one note stood, another one stands now: each is told with its own.
+TEST(Compare, TellsNotesThatChangedPlacesWithTheirOwn) {
+  const auto with_notes = [](const std::vector<std::pair<std::string, Vec2>>& notes) {
+    sheet::Sheet sheet = plate();
+    for (const auto& [words, at] : notes) {
+      sheet::Text text = sheet.layers[dimension].texts[0];
+      text.text = words;
+      text.at = at;
+      sheet.layers[dimension].texts.push_back(text);
+    }
+    return sheet;
+  };
+  const compare::Comparison comparison =
+      compare::compare(as_svg(with_notes({{"2× ⌀8", {75, 110}}, {"⌀10 ↧12", {30, 104}}})),
+                       as_svg(with_notes({{"2× ⌀9", {120, 60}}, {"⌀10 ↧14", {75, 110}}})), 0.001);
+  const std::string words = compare::format_comparison(comparison, 0.001);
+  EXPECT_EQ(changes(comparison), "text text") << words;
+  EXPECT_TRUE(contains(words, "'2× ⌀8' -> '2× ⌀9'") && contains(words, "'⌀10 ↧12' -> '⌀10 ↧14'")) << words;
+}
+
 // A layer of which no line is long enough for dashes looks the same in both formats.
 TEST(Compare, SeesTheSameInSvgAndPdfOfShortHiddenLines) {
   sheet::Sheet sheet = plate();
