@@ -27,14 +27,21 @@ constexpr std::array guesses{Guess{Unit::mm, 0.5, 5e-4, 2, 2e4},
                              Guess{Unit::in, 1.0 / 64, 6e-4, 0.1, 400, 1.0 / 16, 1e-5},
                              Guess{Unit::m, 0.0005, 5e-7, 0.005, 100}};
 
-double share_of_round(const std::vector<double>& diameters, const Guess& guess) {
-  if (diameters.empty()) return 0;
-  const auto is_round = [&](double d) {
+struct Diameter {
+  double value, doubt;  ///< by which its vertices are beside its surface
+};
+
+// Of those that are known well enough to tell.
+double share_of_round(const std::vector<Diameter>& diameters, const Guess& guess) {
+  const auto off = [&](double d) { return d < guess.exact_below ? guess.exact : guess.beside; };
+  int known = 0, round = 0;
+  for (const auto& [d, doubt] : diameters) {
+    if (doubt > off(d)) continue;
     const double steps = std::nearbyint(d / guess.step);
-    return steps >= 1 && std::abs(d - steps * guess.step) < (d < guess.exact_below ? guess.exact : guess.beside);
-  };
-  return static_cast<double>(std::count_if(diameters.begin(), diameters.end(), is_round)) /
-         static_cast<double>(diameters.size());
+    ++known;
+    if (steps >= 1 && std::abs(d - steps * guess.step) < off(d)) ++round;
+  }
+  return known == 0 ? 0 : static_cast<double>(round) / known;
 }
 
 }  // namespace
@@ -53,10 +60,10 @@ std::optional<Unit> guess_unit(const Box& box, const surfaces::PartFaces& part) 
   if (part.faces.empty()) return std::nullopt;
   const Vec3 size = box.size();
   const double largest = std::max({size.x, size.y, size.z});
-  std::vector<double> diameters;
+  std::vector<Diameter> diameters;
   for (const surfaces::PartFace& face : part.faces)
     if (face.surface.kind == surfaces::SurfaceKind::cylinder && face.sweep >= surfaces::whole_turn)
-      diameters.push_back(2 * face.surface.radius);
+      diameters.push_back({2 * face.surface.radius, face.residual});
   std::optional<Unit> best;
   double best_share = 0.5;
   for (const Guess& guess : guesses) {

@@ -9,7 +9,8 @@
 namespace epura::test::unit_guess_test {
 namespace {
 
-std::optional<Unit> guessed(double size, const std::vector<double>& diameters) {
+// `doubts`: by which vertices of the last ones are beside them.
+std::optional<Unit> guessed(double size, const std::vector<double>& diameters, const std::vector<double>& doubts = {}) {
   Box box;
   box.add(Vec3(0));
   box.add(Vec3(size, size / 2, size / 3));
@@ -19,6 +20,7 @@ std::optional<Unit> guessed(double size, const std::vector<double>& diameters) {
     part.faces[i].surface.kind = surfaces::SurfaceKind::cylinder;
     part.faces[i].surface.radius = diameters[i] / 2;
     part.faces[i].sweep = 360;
+    if (i + doubts.size() >= diameters.size()) part.faces[i].residual = doubts[i + doubts.size() - diameters.size()];
   }
   return features::guess_unit(box, part);
 }
@@ -45,6 +47,13 @@ TEST(UnitGuess, TakesMillimetresInMetresForNoSixtyFourths) {
 // Whole numbers are round in any unit; a few odd ones that are near a sixty-fourth prove nothing.
 TEST(UnitGuess, StaysWithMillimetresWhenMostAreRoundInThem) {
   EXPECT_EQ(guessed(164, {8, 12, 16, 17, 80, 4.328125, 3.7, 11.3, 9.9}), Unit::mm);
+}
+
+// A connecting rod whose eye meets fillets that its mesh has only about.
+TEST(UnitGuess, LeavesOutDiametersThatFacetsTellOnlyAbout) {
+  EXPECT_EQ(guessed(188, {40, 18, 35.9994}, {0.0069}), Unit::mm);
+  EXPECT_EQ(guessed(188, {40, 18, 35.9994}), Unit::in) << "each is near a sixty-fourth";
+  EXPECT_EQ(guessed(4.75, {0.25, 0.5, 1.125}, {1e-6, 1e-6}), Unit::in);
 }
 
 TEST(UnitGuess, WithoutRoundDiametersIsMillimetresForUsualSizes) {
