@@ -29,13 +29,13 @@ bool is_half_cylinder(const RoundFace& round) {
          round.has_its_axis();
 }
 
-// For each plane the round faces that touch it at borders that are tangent, or at those that are not.
-std::map<int, std::vector<int>> round_faces_at_planes(const RoundPart& of, bool tangent) {
-  std::map<int, std::vector<int>> at_planes;
-  const auto add = [&](int plane, int face) {
-    const int i = of.place_of_face[face];
-    if (of.part.faces[plane].surface.kind != SurfaceKind::plane || i < 0) return;
-    std::vector<int>& list = at_planes[plane];
+// For each face the round faces that touch it at borders that are tangent, or at those that are not.
+std::map<int, std::vector<int>> round_faces_beside(const RoundPart& of, bool tangent) {
+  std::map<int, std::vector<int>> beside;
+  const auto add = [&](int face, int other) {
+    const int i = of.place_of_face[other];
+    if (i < 0) return;
+    std::vector<int>& list = beside[face];
     if (std::find(list.begin(), list.end(), i) == list.end()) list.push_back(i);
   };
   for (const surfaces::PartBorder& border : of.borders()) {
@@ -44,8 +44,10 @@ std::map<int, std::vector<int>> round_faces_at_planes(const RoundPart& of, bool 
     add(border.faces[0], border.faces[1]);
     add(border.faces[1], border.faces[0]);
   }
-  return at_planes;
+  return beside;
 }
+
+bool is_plane(const RoundPart& of, int face) { return of.part.faces[face].surface.kind == SurfaceKind::plane; }
 
 bool face_each_other(const RoundFace& a, const RoundFace& b) {
   const surfaces::PartSurface &s = a.face.surface, &t = b.face.surface;
@@ -116,8 +118,8 @@ using RoundEnds = std::vector<std::array<int, 2>>;
 // The half cylinders that are ends of slots.
 RoundEnds ends_of_slots(const RoundPart& of) {
   std::map<std::array<int, 2>, int> planes_between;
-  for (auto& at_plane : round_faces_at_planes(of, true)) {
-    std::vector<int>& faces = at_plane.second;
+  for (auto& [plane, faces] : round_faces_beside(of, true)) {
+    if (!is_plane(of, plane)) continue;
     std::erase_if(faces, [&](int i) { return !is_half_cylinder(of.faces[i]); });
     for (std::size_t i = 0; i < faces.size(); ++i)
       for (std::size_t j = i + 1; j < faces.size(); ++j) {
@@ -156,6 +158,19 @@ std::optional<double> width_between(const surfaces::PartSurface& one, const surf
   return taper ? 0 : 2 * std::abs(glm::dot(one.origin - at, normal));
 }
 
+// For each plane the round faces that it meets in corners, perhaps behind a fillet.
+std::map<int, std::vector<int>> round_faces_at_corners(const RoundPart& of) {
+  std::map<int, std::vector<int>> at_corners = round_faces_beside(of, false);
+  const std::map<int, std::vector<int>> tangent = round_faces_beside(of, true);
+  for (const auto& [plane, fillets] : tangent)
+    for (const int fillet : fillets)
+      if (const auto behind = tangent.find(of.faces[fillet].number);
+          behind != tangent.end() && of.faces[fillet].face.surface.kind == SurfaceKind::cylinder)
+        at_corners[plane].insert(at_corners[plane].end(), behind->second.begin(), behind->second.end());
+  std::erase_if(at_corners, [&](const auto& one) { return !is_plane(of, one.first); });
+  return at_corners;
+}
+
 // Between features of which the round faces are given.
 std::vector<CentredArm> arms_of(const RoundPart& of, const std::vector<CentredRound>& round,
                                 const std::vector<std::vector<int>>& faces) {
@@ -163,7 +178,7 @@ std::vector<CentredArm> arms_of(const RoundPart& of, const std::vector<CentredRo
   for (std::size_t i = 0; i < faces.size(); ++i)
     for (const int face : faces[i]) feature[face] = static_cast<int>(i);
   std::map<std::array<int, 2>, std::vector<int>> planes_between;
-  for (const auto& [plane, list] : round_faces_at_planes(of, false)) {
+  for (const auto& [plane, list] : round_faces_at_corners(of)) {
     std::set<int> ends;
     for (const int face : list)
       if (feature[face] >= 0 &&

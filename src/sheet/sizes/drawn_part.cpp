@@ -269,23 +269,43 @@ bool are_images(const PartSurface& one, const PartSurface& other, const PartSurf
          std::abs(glm::dot(off, other.axis)) <= slack;
 }
 
-// Sides of an arm from boss to boss: planes that meet round faces about two parallel axes in corners, with the line of
-// centres in the middle.
-void add_arms(DrawnPart& drawn) {
+// By plane, the axes of cylinders along it that it meets in corners, perhaps behind a fillet: the first face about
+// each.
+std::map<int, std::set<int>> axes_at_planes(const DrawnPart& drawn) {
   const std::vector<int> axis_of = first_about_axis(drawn);
   const auto surface = [&](int face) -> const PartSurface& {
     return drawn.part.faces[static_cast<std::size_t>(face)].surface;
   };
-  std::map<int, std::set<int>> axes;  // by plane
+  std::map<int, std::set<int>> axes;
+  const auto add = [&](int plane, int face) {
+    const int axis = axis_of[static_cast<std::size_t>(face)];
+    if (axis >= 0 && surface(plane).kind == SurfaceKind::plane &&
+        std::abs(glm::dot(surface(plane).axis, surface(axis).axis)) <= features::parallel)
+      axes[plane].insert(axis);
+  };
+  std::map<int, std::vector<int>> tangent;
   for (const definition::Contact& contact : drawn.part.contacts)
-    for (const auto& [plane, face] :
-         {std::pair(contact.faces[0], contact.faces[1]), std::pair(contact.faces[1], contact.faces[0])})
-      if (const int axis = axis_of[static_cast<std::size_t>(face)];
-          axis >= 0 && !contact.is_tangent && surface(plane).kind == SurfaceKind::plane &&
-          std::abs(glm::dot(surface(plane).axis, surface(axis).axis)) <= features::parallel)
-        axes[plane].insert(axis);
+    for (const auto& [face, other] :
+         {std::pair(contact.faces[0], contact.faces[1]), std::pair(contact.faces[1], contact.faces[0])}) {
+      if (contact.is_tangent)
+        tangent[face].push_back(other);
+      else
+        add(face, other);
+    }
+  for (const auto& [fillet, beside] : tangent)
+    for (const int plane : beside)
+      for (const int behind : beside)
+        if (surface(fillet).kind == SurfaceKind::cylinder && behind != plane) add(plane, behind);
+  return axes;
+}
+
+// Sides of an arm from boss to boss, with the line of centres in the middle.
+void add_arms(DrawnPart& drawn) {
+  const auto surface = [&](int face) -> const PartSurface& {
+    return drawn.part.faces[static_cast<std::size_t>(face)].surface;
+  };
   std::map<std::array<int, 2>, std::vector<int>> sides;  // by axes
-  for (const auto& [plane, of_plane] : axes)
+  for (const auto& [plane, of_plane] : axes_at_planes(drawn))
     for (auto i = of_plane.begin(); i != of_plane.end(); ++i)
       for (auto j = std::next(i); j != of_plane.end(); ++j)
         if (features::are_parallel(surface(*i).axis, surface(*j).axis)) sides[{*i, *j}].push_back(plane);

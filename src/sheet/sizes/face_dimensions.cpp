@@ -114,6 +114,7 @@ std::vector<FaceDimension> FaceDimensions::of(int face) const {
       add_angles(found, face);
       add_edges(found, face);
       add_widths(found, face);
+      add_widths_of_arm(found, face);
       add_corners(found, face);
       break;
     case SurfaceKind::cylinder:
@@ -155,6 +156,14 @@ std::vector<int> FaceDimensions::beside(int face) const {
 void FaceDimensions::add(std::vector<FaceDimension>& found, Measure measure, DimensionDescription dimension) const {
   check(dimension.view.given(), "a dimension stands in a view");
   found.push_back({measure, {{std::move(dimension)}}});
+}
+
+// Each along a slope, or along an own axis of a turned part.
+void FaceDimensions::add_slanted(std::vector<FaceDimension>& found, Measure measure, const Planned& places) const {
+  for (const auto& place : places.places)
+    if (const auto* slanted = std::get_if<SlantedPlace>(&place))
+      for (DimensionDescription& dimension : slanted_dimensions(plan_, {slanted, 1}))
+        add(found, measure, std::move(dimension));
 }
 
 // At its borders.
@@ -236,11 +245,20 @@ void FaceDimensions::add_ball(std::vector<FaceDimension>& found, int face) const
   }
 }
 
+bool FaceDimensions::is_fillet(int face) const {
+  return face_of(face).surface.kind == SurfaceKind::cylinder &&
+         std::ranges::count_if(contacts_[static_cast<std::size_t>(face)], [&](int number) {
+           return reading_.drawn.part.contacts[static_cast<std::size_t>(number)].is_tangent;
+         }) > 1;
+}
+
 // Along the axes of the world: of a plane across one, of axes and centres; of slopes along them.
 void FaceDimensions::add_places(std::vector<FaceDimension>& found, int face) const {
   const definition::Face& one = face_of(face);
   const PartSurface& surface = one.surface;
-  const auto add_place = [&](const Coordinate& place) { found.push_back({Measure::place, {{}, {place}}}); };
+  // Where a fillet is follows from what it rounds.
+  const Measure measure = is_fillet(face) ? Measure::edge : Measure::place;
+  const auto add_place = [&](const Coordinate& place) { found.push_back({measure, {{}, {place}}}); };
   if (surface.kind == SurfaceKind::plane) {
     const int axis = world_axis(surface.axis);
     const features::LevelFeature level{axis, axis < 0 ? 0 : one.at[axis], one.area, points_of(face)};
@@ -256,12 +274,9 @@ void FaceDimensions::add_places(std::vector<FaceDimension>& found, int face) con
   for (int sight = 0; sight < (is_ball ? 3 : 1); ++sight) {
     const Vec3 axis = is_ball ? Mat3(1)[sight] : surface.axis;
     const Planned places = positions_of(plan_, std::array{centre}, axis, plan_.views.along(axis), group);
+    add_slanted(found, measure, places);
     for (const auto& place : places.places)
-      if (const auto* slanted = std::get_if<SlantedPlace>(&place))
-        for (DimensionDescription& dimension : slanted_dimensions(plan_, {slanted, 1}))
-          add(found, Measure::place, std::move(dimension));
-      else if (const auto* coordinate = std::get_if<Coordinate>(&place))
-        add_place(*coordinate);
+      if (const auto* coordinate = std::get_if<Coordinate>(&place)) add_place(*coordinate);
   }
   check(surface.kind != SurfaceKind::free_form, "a free form has no place of its own");
   const int axis = world_axis(surface.axis);
@@ -483,6 +498,48 @@ void FaceDimensions::add_widths(std::vector<FaceDimension>& found, int face) con
   check(places.size() < reading_.drawn.faces, "a face is no width from itself");
   for (std::size_t i = 0; i < std::min(places.size(), most); ++i)
     add_width(found, Measure::width, face, face_of(places[i].face).surface.origin);
+}
+
+// The cylinder about an axis that a plane along it meets in a corner, perhaps behind a fillet; -1 if there is none.
+int FaceDimensions::boss_beside(int face, const PartSurface& axis) const {
+  const auto is_boss = [&](int other) {
+    const PartSurface& one = face_of(other).surface;
+    return one.kind == SurfaceKind::cylinder && are_parallel(one.axis, axis.axis) &&
+           features::distance_from_line(one.origin, axis.origin, axis.axis) <= slack_;
+  };
+  const std::vector<int> near = beside(face);
+  if (const auto boss = std::ranges::find_if(near, is_boss); boss != near.end()) return *boss;
+  for (const int fillet : near) {
+    if (face_of(fillet).surface.kind != SurfaceKind::cylinder) continue;
+    const std::vector<int> behind = beside(fillet);
+    if (const auto boss = std::ranges::find_if(behind, is_boss); boss != behind.end()) return *boss;
+  }
+  return -1;
+}
+
+// Widths of an arm that tapers, between the corners in which its sides meet its bosses, or would without a fillet.
+void FaceDimensions::add_widths_of_arm(std::vector<FaceDimension>& found, int face) const {
+  const PartSurface& side = face_of(face).surface;
+  for (const definition::SymmetryLine& line : reading_.drawn.marks.symmetries) {
+    const Vec3& across = face_of(line.face).surface.axis;
+    const bool is_side = line.pairs.front()[0] == face || line.pairs.front()[1] == face;
+    if (!is_side || line.axes.size() != 2 || are_parallel(side.axis, across)) continue;
+    for (const int end : {0, 1}) {
+      const PartSurface &axis = face_of(line.axes[end]).surface, &other = face_of(line.axes[1 - end]).surface;
+      const NamedProjection* view = plan_.views.along(axis.axis);
+      const int boss = boss_beside(face, axis);
+      if (view == nullptr || boss < 0) continue;
+      const double radius = face_of(boss).surface.radius, off = glm::dot(side.origin - axis.origin, side.axis);
+      if (std::abs(off) >= radius) continue;
+      Vec3 along = glm::cross(axis.axis, side.axis);
+      if (glm::dot(along, other.origin - axis.origin) < 0) along = -along;
+      Vec3 corner = axis.origin + off * side.axis + std::sqrt(radius * radius - off * off) * along;
+      corner += glm::dot(face_of(face).at - corner, axis.axis) * axis.axis;
+      DimensionDescription dimension = plan_.dimension(DimensionType::aligned, *view, "<>");
+      dimension.anchors = {corner, axis.origin + glm::reflect(corner - axis.origin, across)};
+      add(found, Measure::width, std::move(dimension));
+    }
+  }
 }
 
 // Along its normal, to the plane through a point.

@@ -34,6 +34,7 @@ class FaceDimensions {
     return reading_.drawn.part.faces[static_cast<std::size_t>(number)];
   }
   [[nodiscard]] std::vector<Vec3> points_of(int face) const;
+  [[nodiscard]] bool is_fillet(int face) const;
   void add_size(std::vector<FaceDimension>& found, int face) const;
   void add_tube(std::vector<FaceDimension>& found, int face) const;
   void add_ball(std::vector<FaceDimension>& found, int face) const;
@@ -46,8 +47,11 @@ class FaceDimensions {
   void add_edges(std::vector<FaceDimension>& found, int face) const;
   void add_corners(std::vector<FaceDimension>& found, int face) const;
   void add_widths(std::vector<FaceDimension>& found, int face) const;
+  void add_widths_of_arm(std::vector<FaceDimension>& found, int face) const;
+  [[nodiscard]] int boss_beside(int face, const surfaces::PartSurface& axis) const;
   void add_width(std::vector<FaceDimension>& found, Measure measure, int face, const Vec3& to) const;
   void add(std::vector<FaceDimension>& found, Measure measure, scene::DimensionDescription dimension) const;
+  void add_slanted(std::vector<FaceDimension>& found, Measure measure, const Planned& places) const;
 
   const Planning& plan_;
   const SheetReading& reading_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -124,6 +125,16 @@ class DimensionedPart {
   /// Found again from its dimensions; without one of them, counted over all views.
   [[nodiscard]] std::optional<sheet::RebuiltPart> rebuilt(std::optional<std::size_t> without = std::nullopt) const {
     return sheet::rebuild_part(without ? views_without(*without) : views_, world_, extents_, {}, rules);
+  }
+
+  /// What its lengths of a type measure from point to point, without auxiliary ones.
+  [[nodiscard]] std::vector<double> lengths_of(DimensionType type) const {
+    std::vector<double> lengths;
+    for (const sheet::DimensionsInView& view : views_)
+      for (const sheet::AnchoredDimension& dimension : view.dimensions)
+        if (dimension.type == type && !dimension.text.starts_with('('))
+          lengths.push_back(std::round(1e4 * glm::distance(dimension.points[0], dimension.points[1])) / 1e4);
+    return lengths;
   }
 
   std::vector<std::string> texts;

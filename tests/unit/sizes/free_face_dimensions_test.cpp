@@ -43,14 +43,39 @@ std::string crowned_block(const Vec2& centre, double radius) {
   return block(outline, 40);
 }
 
+double angle_of(const Vec2& direction) { return std::atan2(direction.y, direction.x) * 180 / std::numbers::pi; }
+
 // A boss at the origin and a smaller one, 8 thick, with an arm between them that grows from half of the width to half
-// of the other one, turned by an angle.
-std::string lever(double turn, double half, double other) {
+// of the other one where its sides meet the bosses, perhaps behind fillets, turned by an angle.
+std::string lever(double turn, double half, double other, double fillet = 0) {
   constexpr double large = 15, small = 10, length = 60;
-  const double at_large = std::asin(half / large) * 180 / std::numbers::pi,
-               at_small = std::asin(other / small) * 180 / std::numbers::pi;
-  Loop outline = arc({0, 0}, large, at_large, 360 - at_large, 72);
-  for (const Vec2& point : arc({length, 0}, small, at_small - 180, 180 - at_small, 72)) outline.push_back(point);
+  const std::array<Vec2, 2> centres{Vec2(length, 0), Vec2(0, 0)};
+  const std::array<Vec2, 2> corners{Vec2(length - std::sqrt(small * small - other * other), other),
+                                    Vec2(std::sqrt(large * large - half * half), half)};
+  const Vec2 along = glm::normalize(corners[1] - corners[0]), up(along.y, -along.x);
+  Loop side;  // above, from the small boss to the large one
+  for (const std::size_t end : {0U, 1U}) {
+    if (!(fillet > 0)) {
+      side.push_back(corners[end]);
+      continue;
+    }
+    const double above = glm::dot(corners[end] - centres[end], up) + fillet, out = (end == 0 ? small : large) + fillet;
+    const Vec2 centre = centres[end] + above * up + (end == 0 ? 1 : -1) * std::sqrt(out * out - above * above) * along;
+    const double at_boss = angle_of(centres[end] - centre), at_side = angle_of(-up);
+    const double sweep = std::remainder(at_side - at_boss, 360);
+    Loop arc_at_end = arc(centre, fillet, at_boss, at_boss + sweep);
+    if (end == 1) std::reverse(arc_at_end.begin(), arc_at_end.end());
+    side.insert(side.end(), arc_at_end.begin(), arc_at_end.end());
+  }
+  const double at_large = angle_of(side.back()), at_small = angle_of(side.front() - centres[0]);
+  Loop outline = arc(centres[1], large, at_large, 360 - at_large, 72);
+  for (auto point = side.rbegin(); point != side.rend(); ++point) outline.emplace_back(point->x, -point->y);
+  for (const Vec2& point : arc(centres[0], small, -at_small, at_small, 72)) outline.push_back(point);
+  outline.insert(outline.end(), side.begin(), side.end());
+  // Ends of arcs are there twice.
+  const auto is_same = [](const Vec2& a, const Vec2& b) { return glm::distance(a, b) < 1e-9; };
+  outline.erase(std::unique(outline.begin(), outline.end(), is_same), outline.end());
+  if (is_same(outline.front(), outline.back())) outline.pop_back();
   for (Vec2& point : outline)
     point = {cosine(turn) * point.x - sine(turn) * point.y, sine(turn) * point.x + cosine(turn) * point.y};
   return block(outline, 8);
@@ -121,22 +146,29 @@ std::string block_with_leaning_hole(double degrees) {
   return model.obj();
 }
 
-// Its width, and for a tapering one an angle, is all that an arm has beside what gives its bosses.
+// Its width, and for a tapering one that at either end, is all that an arm has beside what gives its bosses and
+// fillets.
 TEST(FreeFaceDimensions, SidesOfAnArmAreAboutTheLineOfCentres) {
-  for (const double turn : {0.0, 30.0, 55.0})
-    for (const double other : {5.0, 7.0}) {
-      const std::string name = "a lever turned by " + std::to_string(turn) + ", " + std::to_string(other);
-      const DimensionedPart sheet(lever(turn, 5, other));
-      const sheet::FreeFaces free = sheet.free();
-      EXPECT_EQ(free.count.given, free.count.all) << name;
-      EXPECT_TRUE(free.contradictory.empty() && free.undecided.empty()) << name;
-      // Thickness, two bosses, their distance along one axis or two. Overall sizes stand in brackets.
-      const std::size_t expected = 4 + (turn > 0 ? 1U : 0U) + (other > 5 ? 2U : 1U);
-      EXPECT_EQ(needed(sheet), expected) << name;
-      EXPECT_EQ(std::ranges::count_if(sheet.texts, [](const std::string& text) { return !text.starts_with('('); }),
-                static_cast<std::ptrdiff_t>(expected))
-          << name;
-    }
+  for (const double fillet : {0.0, 3.0})
+    for (const double turn : {0.0, 30.0, 55.0, 110.0})
+      for (const double other : {5.0, 7.0}) {
+        const std::string name = "a lever turned by " + std::to_string(turn) + ", " + std::to_string(other) +
+                                 ", fillets " + std::to_string(fillet);
+        const DimensionedPart sheet(lever(turn, 5, other, fillet));
+        const sheet::FreeFaces free = sheet.free();
+        EXPECT_EQ(free.count.given, free.count.all) << name;
+        EXPECT_TRUE(free.contradictory.empty() && free.undecided.empty()) << name;
+        // Thickness, two bosses, their distance along one axis or two. Overall sizes stand in brackets.
+        const std::size_t expected = 4 + (turn > 0 ? 1U : 0U) + (other > 5 ? 2U : 1U) + (fillet > 0 ? 1U : 0U);
+        EXPECT_EQ(needed(sheet), expected) << name;
+        EXPECT_EQ(std::ranges::count_if(sheet.texts, [](const std::string& text) { return !text.starts_with('('); }),
+                  static_cast<std::ptrdiff_t>(expected))
+            << name;
+        // A straight arm along an axis has a linear dimension.
+        const std::vector<double> aligned = sheet.lengths_of(DimensionType::aligned);
+        EXPECT_EQ(std::ranges::count(aligned, 10.0), turn > 0 || other > 5 ? 1 : 0) << name;
+        EXPECT_EQ(std::ranges::count(aligned, 14.0), other > 5 ? 1 : 0) << name;
+      }
 }
 
 }  // namespace
