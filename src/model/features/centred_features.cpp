@@ -16,6 +16,7 @@
 #include "features/hexagons.hpp"
 #include "features/pitch_circles.hpp"
 #include "features/tolerances.hpp"
+#include "features/turned_part.hpp"
 #include "world/placed_circles.hpp"
 
 namespace epura::features {
@@ -263,6 +264,31 @@ std::vector<CentredRound> with_hexagon(const RoundPart& of, const HexagonFeature
   return features;
 }
 
+// With the own axes of a turned part across those that have its axis.
+std::vector<CentredRound> with_own_axes(const RoundPart& of, const std::vector<PlaneFace>& planes,
+                                        std::vector<CentredRound> features) {
+  const world::Placed& placed = of.world.models[static_cast<std::size_t>(of.model)];
+  std::vector<Vec3> points;
+  Box box;
+  for (int v = 0; v < static_cast<int>(placed.mesh->whole().points.size()); ++v)
+    box.add(points.emplace_back(placed.to_world * Vec4(placed.mesh->whole().point(v), 1)));
+  std::vector<PlaneFeature> inclined;
+  FlatEnds flat{};
+  for (const PlaneFace& plane : planes) {
+    if (plane.corners.empty()) continue;
+    const int axis = axis_along(plane.normal);
+    if (axis < 0) inclined.push_back({of.model, plane.normal, plane.corners});
+    for (const std::size_t end : {0U, 1U})
+      if (axis >= 0 &&
+          std::abs(plane.corners.front()[axis] - (end == 0 ? box.min : box.max)[axis]) <= same_size * box.size()[axis])
+        flat[static_cast<std::size_t>(axis)][end] = true;
+  }
+  if (const auto turned = find_turned_part(inclined, points, flat))
+    for (CentredRound& feature : features)
+      if (are_parallel(feature.axis, turned->axis)) feature.beside = turned->directions[0];
+  return features;
+}
+
 /// Features of one model.
 struct ModelFeatures {
   std::vector<CentredRound> round{};
@@ -288,8 +314,10 @@ ModelFeatures features_of(const RoundPart& of) {
   }
   found.arms = arms_of(of, found.round, groups);
   for (CentredRound& rim : rims_of(of)) found.round.push_back(std::move(rim));
-  for (const HexagonFeature& hexagon : find_hexagons(of.model, find_plane_faces(of.world, of.model, of.part)))
+  const std::vector<PlaneFace> planes = find_plane_faces(of.world, of.model, of.part);
+  for (const HexagonFeature& hexagon : find_hexagons(of.model, planes))
     found.round = with_hexagon(of, hexagon, std::move(found.round));
+  if (of.world.models.size() == 1) found.round = with_own_axes(of, planes, std::move(found.round));
   return found;
 }
 

@@ -26,6 +26,7 @@ struct CentredRound {
   std::vector<int> vertices{};  ///< vertices of its faces or its rim, in the model's file; ascending
   bool enclosed = false;        ///< a whole bore or slot, not opened by a cut: visible only through its ends
   bool cut = false;             ///< a plane cuts one of its faces
+  Vec3 beside{0};               ///< an own axis of a turned part across it, instead of those of the world; unit, or 0
 };
 
 /// Two half cylinders and the planes between them, tangent to both: a slot, or a bar with round ends.

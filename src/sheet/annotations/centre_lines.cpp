@@ -112,11 +112,12 @@ std::vector<Piece> crosses(const std::vector<std::vector<SeenCircle>>& features)
       radius = std::max(radius, round[i].radius());
       if (round[i].spoke) spoke = round[i].spoke;
     }
+    const Vec2& beside = round[group.front()].beside;
     const Vec2 centre = round[group.front()].centre;
     if (spoke)
       pieces.push_back(piece_about(centre, *spoke, radius + past_rim));
     else
-      for (const Vec2& direction : {Vec2(1, 0), Vec2(0, 1)})
+      for (const Vec2& direction : {beside, Vec2(-beside.y, beside.x)})
         pieces.push_back(piece_about(centre, direction, radius + past_rim));
   }
   check(pieces.size() <= 2 * round.size(), "a circle has two centre lines at most");
@@ -377,6 +378,8 @@ Marks marks_of(const CentredView& view) {
   for (std::size_t i = 0; i < features.round.size(); ++i) {
     std::vector<SeenCircle> rings = see(view.drawing, features.round[i]);
     const bool is_on_circle = circle_of[i] >= 0 && largest_of(rings).is_round();
+    if (features.round[i].beside != Vec3(0))
+      for (SeenCircle& ring : rings) ring.beside = image_of(view.drawing, features.round[i].beside, 0);
     if ((is_small(rings) && !is_on_circle) || !seen.shows(features.round[i])) continue;
     const auto is_kept = [&](const SeenCircle& ring) { return view.drawing.shown.breaks.keeps(ring.centre); };
     if (std::none_of(rings.begin(), rings.end(), is_kept)) continue;

@@ -20,6 +20,7 @@ struct SeenCircle {
   Vec2 u, v;                    ///< images of two perpendicular radii
   Vec2 axis;                    ///< image of the unit normal
   std::optional<Vec2> spoke{};  ///< of a hole on a pitch circle: from the centre of the pitch circle to the hole
+  Vec2 beside{1, 0};            ///< along one line of its cross
 
   [[nodiscard]] double radius() const;
   [[nodiscard]] bool is_round() const;

@@ -130,7 +130,7 @@ std::vector<scene::DimensionDescription> row_dimensions(const Planning& plan, co
 }
 
 // Along the own axes of a turned part, from the faces that are rather on the left and below.
-Planned own_positions_of(const TurnedPart& part, std::span<const Vec3> centres, const NamedProjection& view,
+Planned own_positions_of(const features::TurnedPart& part, std::span<const Vec3> centres, const NamedProjection& view,
                          int group) {
   Planned planned;
   for (const std::size_t side : {0U, 1U}) {

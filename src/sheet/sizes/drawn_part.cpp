@@ -450,7 +450,7 @@ void add_own_axes(DrawnPart& drawn, std::span<const features::Extent, 3> extents
     flat[along][1] = flat[along][1] || std::abs(at - extents[along].to) <= slack;
     return true;
   });
-  if (const auto turned = find_turned_part(inclined, points, flat))
+  if (const auto turned = features::find_turned_part(inclined, points, flat))
     drawn.marks.own_axes.assign(turned->directions.begin(), turned->directions.end());
 }
 

@@ -13,6 +13,7 @@
 #include "definition/limits.hpp"
 #include "features/tolerances.hpp"
 #include "sizes/axis_positions.hpp"
+#include "sizes/prism_dimensions.hpp"
 #include "sizes/slope_dimensions.hpp"
 #include "surfaces/least_squares.hpp"
 
@@ -433,20 +434,25 @@ void FaceDimensions::add_rims(std::vector<FaceDimension>& found, int face) const
   }
 }
 
-// Places of straight edges along the axes of the world across them.
+// Places of straight edges along the axes of the world across them, or those of a turned part.
 void FaceDimensions::add_edges(std::vector<FaceDimension>& found, int face) const {
   for (const int number : contacts_[static_cast<std::size_t>(face)]) {
     const std::vector<Vec3>& points = reading_.drawn.part.contacts[static_cast<std::size_t>(number)].points;
     const std::optional<Vec3> edge = direction_of(points, slack_);
     const NamedProjection* view = edge ? plan_.views.along(*edge) : nullptr;
     if (view == nullptr) continue;
+    if (plan_.table.is_turned(*edge)) {
+      add_slanted(found, Measure::edge, positions_of(plan_, std::array{points[0]}, *edge, view, -1));
+      continue;
+    }
     for (int axis = 0; axis < 3; ++axis)
       if (std::abs((*edge)[axis]) <= features::parallel)
         found.push_back({Measure::edge, {{}, {Coordinate{view, axis, points[0][axis], points[0], -1, points[0]}}}});
   }
 }
 
-// Places along the axes of the world at which a plane that leans against all of them cuts edges that run along them.
+// Places along the axes of the world, or those of a turned part, at which a plane that leans against all of them cuts
+// edges that run along them.
 void FaceDimensions::add_corners(std::vector<FaceDimension>& found, int face) const {
   const Vec3& normal = face_of(face).surface.axis;
   for (int axis = 0; axis < 3; ++axis)
@@ -461,8 +467,12 @@ void FaceDimensions::add_corners(std::vector<FaceDimension>& found, int face) co
         std::ranges::none_of(known, [&](const Vec3& one) { return glm::distance(one, corner) <= slack_; });
     if (!is_new || std::ranges::count_if(contacts_[static_cast<std::size_t>(face)], ends_there) < 2) continue;
     known.push_back(corner);
+    if (const auto& turned = plan_.table.turned; turned && plan_.views.along(turned->axis) != nullptr)
+      add_slanted(found, Measure::edge,
+                  positions_of(plan_, std::array{corner}, turned->axis, plan_.views.along(turned->axis), -1));
     for (int axis = 0; axis < 3; ++axis)
-      if (const NamedProjection* view = plan_.views.beside(Mat3(1)[axis], corner); view != nullptr)
+      if (const NamedProjection* view = plan_.views.beside(Mat3(1)[axis], corner);
+          view != nullptr && !is_over_turned_part(plan_, axis))
         found.push_back({Measure::edge, {{}, {Coordinate{view, axis, corner[axis], corner, -1, corner}}}});
   }
   check(known.size() <= all_points_.size(), "corners are points of faces");

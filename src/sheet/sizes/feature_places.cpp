@@ -82,7 +82,7 @@ std::vector<PlacedAxis> placed_axes(const features::PartFeatures& features, cons
     add(channel.centre, channel.axis, "channel R" + length(channel.radius));
   }
   for (const TurnedPrism& prism : table.prisms)
-    if (!table.turned || !table.turned->is_ended_by(prism))
+    if (!table.turned || !is_ended_by(*table.turned, prism))
       add(prism.centre, prism.axis, prism.inwards ? "turned hole" : "turned boss");
   for (const features::ConeFeature& cone : features.cones)
     add(cone.ends[1], cone.axis, "cone ⌀" + length(2 * cone.radii[1]));

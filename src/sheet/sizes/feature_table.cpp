@@ -190,7 +190,7 @@ OwnDirections FeatureTable::own_directions(const Vec3& axis) const {
 }
 
 bool FeatureTable::share_angle(const TurnedPrism& a, const TurnedPrism& b) const {
-  return turned && turned->has_directions_of(a) && turned->has_directions_of(b);
+  return turned && has_directions_of(*turned, a) && has_directions_of(*turned, b);
 }
 
 bool FeatureTable::is_radial(const features::HoleFeature& hole) const {
@@ -215,7 +215,7 @@ FeatureTable feature_table(const DimensionSubject& subject, const Notation& nota
   // The drawing of an assembly gives the places of its parts alone.
   if (!features.of_assembly) {
     table.prisms = find_turned_prisms(features);
-    table.turned = find_turned_part(features.inclined, features::points_of_faces(subject.world), flat);
+    table.turned = features::find_turned_part(features.inclined, features::points_of_faces(subject.world), flat);
   }
   for (const SizeKind kind : {SizeKind::hole, SizeKind::cylinder, SizeKind::pitch_circle, SizeKind::cone_end,
                               SizeKind::slot, SizeKind::arc, SizeKind::hexagon, SizeKind::ring}) {

@@ -55,7 +55,7 @@ struct FeatureTable {
   std::vector<RoundEnd> channels{};
   std::vector<int> balls{};  ///< numbers of spheres, as of find_placed_balls
   std::vector<TurnedPrism> prisms{};
-  std::optional<TurnedPart> turned{};
+  std::optional<features::TurnedPart> turned{};
   std::vector<HexagonChamfer> hexagon_chamfers{};
   std::vector<RadialPattern> radial{};
 

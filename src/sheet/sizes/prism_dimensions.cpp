@@ -77,7 +77,7 @@ Planned prism_dimensions(const Planning& plan) {
   Planned planned;
   const std::vector<TurnedPrism>& prisms = plan.table.prisms;
   const auto is_whole = [&](const TurnedPrism& one) {
-    return plan.table.turned && plan.table.turned->is_ended_by(one);
+    return plan.table.turned && is_ended_by(*plan.table.turned, one);
   };
   std::vector<PrismGroup> groups =
       groups_of<TurnedPrism>(prisms, [](const TurnedPrism& a, const TurnedPrism& b) { return are_equal(a, b); });

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "features/turned_part.hpp"
 #include "sizes/automatic.hpp"
 
 namespace epura::sheet {
@@ -29,8 +30,7 @@ struct RoundEnd {
   [[nodiscard]] bool ends_models(int along, int side, const features::Extent& extent) const;
 };
 
-/// Along each axis of the world, whether a plane face is at the lower and at the upper end of the models.
-using FlatEnds = std::array<std::array<bool, 2>, 3>;
+using features::FlatEnds;
 FlatEnds find_flat_ends(const DimensionSubject& subject);
 
 /// Those of half a turn or more, others around the axis of a hole, and bosses in which the models end.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/range.hpp"
 #include "features/tolerances.hpp"
 
 namespace epura::sheet {
@@ -17,19 +18,9 @@ using features::parallel;
 using features::PlaneFeature;
 using features::same_size;
 
-/// From the lowest to the highest of some points along a direction.
-struct Span {
-  double from = HUGE_VAL, to = -HUGE_VAL;
-  [[nodiscard]] double middle() const { return (from + to) / 2; }
-  [[nodiscard]] double size() const { return to - from; }
-};
-
-Span span_along(const std::vector<Vec3>& points, const Vec3& direction) {
-  Span span;
-  for (const Vec3& p : points) {
-    span.from = std::min(span.from, glm::dot(p, direction));
-    span.to = std::max(span.to, glm::dot(p, direction));
-  }
+Range span_along(const std::vector<Vec3>& points, const Vec3& direction) {
+  Range span;
+  for (const Vec3& p : points) span.add(glm::dot(p, direction));
   return span;
 }
 
@@ -37,16 +28,10 @@ Span span_along(const std::vector<Vec3>& points, const Vec3& direction) {
 struct FacePair {
   int model;
   Vec3 axis, normal, across;  ///< the axis of the world to which both are parallel; perpendicular to each other
-  Span along, beside;         ///< the normal, and `across`
-  Span height;                ///< along the axis, where both are
+  Range along, beside;        ///< the normal, and `across`
+  Range height;               ///< along the axis, where both are
   bool inwards;
 };
-
-int axis_beside(const Vec3& normal) {
-  for (int axis = 0; axis < 3; ++axis)
-    if (std::abs(normal[axis]) <= parallel) return axis;
-  return -1;
-}
 
 bool is_slope(const PlaneFeature& plane, const features::PartFeatures& features) {
   return std::any_of(features.bevels.begin(), features.bevels.end(), [&](const features::BevelFeature& bevel) {
@@ -56,7 +41,7 @@ bool is_slope(const PlaneFeature& plane, const features::PartFeatures& features)
 }
 
 std::optional<FacePair> pair_of(const PlaneFeature& a, const PlaneFeature& b) {
-  const int world = axis_beside(a.normal);
+  const int world = features::axis_beside(a.normal);
   if (a.model != b.model || world < 0 || glm::dot(a.normal, b.normal) > -1 + parallel * parallel) return std::nullopt;
   FacePair pair{a.model, Mat3(1)[world], a.normal, {}, {}, {}, {}, false};
   pair.across = glm::cross(pair.axis, pair.normal);
@@ -64,8 +49,8 @@ std::optional<FacePair> pair_of(const PlaneFeature& a, const PlaneFeature& b) {
   pair.along = {std::min(at, other), std::max(at, other)};
   pair.inwards = other > at;
   pair.beside = span_along(a.corners, pair.across);
-  const Span beside = span_along(b.corners, pair.across), height = span_along(a.corners, pair.axis),
-             other_height = span_along(b.corners, pair.axis);
+  const Range beside = span_along(b.corners, pair.across), height = span_along(a.corners, pair.axis),
+              other_height = span_along(b.corners, pair.axis);
   pair.height = {std::max(height.from, other_height.from), std::min(height.to, other_height.to)};
   const double slack = same_size * (pair.along.size() + pair.beside.size());
   const bool ends_alike =
@@ -75,7 +60,7 @@ std::optional<FacePair> pair_of(const PlaneFeature& a, const PlaneFeature& b) {
 
 // Rounded corners leave the sides shorter. The flats of a polygon, and the ends of one rib of several, are shorter than
 // half of what they would bound.
-bool is_side_of(const Span& side, const Span& width, double slack) {
+bool is_side_of(const Range& side, const Range& width, double slack) {
   return side.size() <= width.size() + slack && side.size() >= width.size() / 2;
 }
 
@@ -92,19 +77,6 @@ std::optional<TurnedPrism> prism_of(const FacePair& a, const FacePair& b) {
     return std::nullopt;
   const Vec3 centre = a.along.middle() * a.normal + middle * a.across + a.height.middle() * a.axis;
   return TurnedPrism{a.model, centre, a.axis, {a.normal, way * b.normal}, {a.along.size(), b.along.size()}, a.inwards};
-}
-
-// The faces that end all points along a direction; null where none does.
-std::array<const PlaneFeature*, 2> ends_along(const Vec3& direction, const std::vector<PlaneFeature>& planes,
-                                              const std::vector<Vec3>& points) {
-  const Span all = span_along(points, direction);
-  std::array<const PlaneFeature*, 2> ends{};
-  for (const PlaneFeature& plane : planes)
-    for (const std::size_t end : {0U, 1U})
-      if (are_parallel(plane.normal, direction) && std::abs(glm::dot(plane.corners.front(), direction) -
-                                                            (end == 0 ? all.from : all.to)) <= same_size * all.size())
-        ends[end] = &plane;
-  return ends;
 }
 
 }  // namespace
@@ -132,35 +104,16 @@ bool TurnedPrism::is_beside(const Vec3& from, const Vec3& to, std::size_t side) 
   return std::min(begin, end) < widths[side] / 2 && std::max(begin, end) > -widths[side] / 2;
 }
 
-bool TurnedPart::has_directions_of(const TurnedPrism& prism) const {
-  return are_parallel(prism.axis, axis) &&
-         (are_parallel(prism.normals[0], directions[0]) || are_parallel(prism.normals[0], directions[1]));
+bool has_directions_of(const features::TurnedPart& part, const TurnedPrism& prism) {
+  return are_parallel(prism.axis, part.axis) &&
+         (are_parallel(prism.normals[0], part.directions[0]) || are_parallel(prism.normals[0], part.directions[1]));
 }
 
-bool TurnedPart::is_ended_by(const TurnedPrism& prism) const {
-  return !prism.inwards && std::ranges::all_of(ends, [&](const auto& both) {
+bool is_ended_by(const features::TurnedPart& part, const TurnedPrism& prism) {
+  return !prism.inwards && std::ranges::all_of(part.ends, [&](const auto& both) {
     return std::ranges::all_of(
         both, [&](const PlaneFeature* end) { return prism.has_side(end->corners.front(), end->normal); });
   });
-}
-
-std::optional<TurnedPart> find_turned_part(const std::vector<PlaneFeature>& inclined, const std::vector<Vec3>& points,
-                                           const FlatEnds& flat) {
-  for (const PlaneFeature& plane : inclined) {
-    const int world = axis_beside(plane.normal);
-    if (world < 0) continue;
-    bool is_flat = false;
-    for (const int step : {1, 2}) {
-      const auto other = static_cast<std::size_t>((world + step) % 3);
-      is_flat = is_flat || flat[other][0] || flat[other][1];
-    }
-    const Vec3 axis = Mat3(1)[world];
-    TurnedPart part{axis, {plane.normal, glm::cross(axis, plane.normal)}, {}};
-    for (const std::size_t side : {0U, 1U}) part.ends[side] = ends_along(part.directions[side], inclined, points);
-    const auto is_ended = [](const auto& ends) { return ends[0] != nullptr && ends[1] != nullptr; };
-    if (!is_flat && is_ended(part.ends[0]) && is_ended(part.ends[1])) return part;
-  }
-  return std::nullopt;
 }
 
 std::vector<TurnedPrism> find_turned_prisms(const features::PartFeatures& features) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rectangular holes, pockets and bosses, and whole parts, that are turned against the world about one of its axes.
+// Rectangular holes, pockets and bosses that are turned against the world about one of its axes.
 #pragma once
 
 #include <array>
@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
+#include "features/turned_part.hpp"
 #include "sizes/anchors.hpp"
 #include "sizes/automatic.hpp"
-#include "sizes/round_ends.hpp"
 
 namespace epura::sheet {
 
@@ -28,22 +28,10 @@ struct TurnedPrism {
   [[nodiscard]] bool is_beside(const Vec3& from, const Vec3& to, std::size_t side) const;
 };
 
-/// A part that is turned about an axis of the world, which ends at plane faces along two axes of its own across that.
-struct TurnedPart {
-  Vec3 axis;
-  std::array<Vec3, 2> directions;  ///< unit, perpendicular to the axis and to each other
-  std::array<std::array<const features::PlaneFeature*, 2>, 2> ends;  ///< along each, at its beginning and its end
-
-  /// Whether the sides of a prism are along these directions.
-  [[nodiscard]] bool has_directions_of(const TurnedPrism& prism) const;
-  /// Whether a prism is the whole part.
-  [[nodiscard]] bool is_ended_by(const TurnedPrism& prism) const;
-};
-
-/// Of faces that are perpendicular to no axis of the world, to which it refers. Nothing if a plane face ends the part,
-/// which has `points`, along another axis of the world.
-std::optional<TurnedPart> find_turned_part(const std::vector<features::PlaneFeature>& inclined,
-                                           const std::vector<Vec3>& points, const FlatEnds& flat);
+/// Whether the sides of a prism are along the own axes of a turned part.
+bool has_directions_of(const features::TurnedPart& part, const TurnedPrism& prism);
+/// Whether a prism is the whole of it.
+bool is_ended_by(const features::TurnedPart& part, const TurnedPrism& prism);
 
 /// Two pairs of plane faces that look at each other, or away from each other, across one middle.
 std::vector<TurnedPrism> find_turned_prisms(const features::PartFeatures& features);

@@ -333,6 +333,12 @@ TEST(CentreLines, OfHolesOnAPitchCircleAreThatAndMarksAlongRadii) {
   EXPECT_EQ(lines(front, features).strokes.size(), 4U);
 }
 
+TEST(CentreLines, OfATurnedPartAreAlongItsOwnAxes) {
+  Round turned = circle({0, 0, 0}, {0, 0, 1}, 10);
+  turned.beside = {0.6, 0.8, 0};
+  expect_spans(lines(top, std::vector<Round>{turned}), {{{-10.4, 7.8}, {10.4, -7.8}}, {{-7.8, -10.4}, {7.8, 10.4}}});
+}
+
 // From axis to axis, not beyond the crosses of the bosses; nothing where the axes are seen as lines.
 TEST(CentreLines, AnArmHasOneFromAxisToAxis) {
   const std::vector<features::CentredRound> bosses{circle({0, 0, 0}, {0, 0, 1}, 10, {0}),

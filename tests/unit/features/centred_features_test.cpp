@@ -293,5 +293,18 @@ TEST(CentredFeatures, AnArmHasTheLineOfCentresInItsMiddle) {
   }
 }
 
+// Of a plate that is turned as a whole; its bore stays along the axis about which it is turned.
+TEST(CentredFeatures, OfATurnedPartAreAlongItsOwnAxes) {
+  EXPECT_EQ(features_of(plate_with_bores({{{10, 5}, 4}})).round.at(0).beside, Vec3(0));
+  const Vec3 along(cosine(27), sine(27), 0);
+  for (const char* const steps : {"rotate:z,27", "rotate:z,27 translate:3,5,7"}) {
+    const Vec3 beside = features_of(plate_with_bores({{{10, 5}, 4}}), steps).round.at(0).beside;
+    EXPECT_NEAR(glm::length(beside), 1, 1e-9) << steps;
+    EXPECT_NEAR(std::max(std::abs(glm::dot(beside, along)), std::abs(glm::dot(beside, {-along.y, along.x, 0}))), 1,
+                1e-6)
+        << steps;
+  }
+}
+
 }  // namespace
 }  // namespace epura::test::centred_features_test

@@ -173,6 +173,20 @@ TEST(FreeFaceDimensions, SidesOfAnArmAreAboutTheLineOfCentres) {
 
 }  // namespace
 
+// A notch in one side of a plate that is turned as a whole has its places along the sides.
+TEST(FreeFaceDimensions, OfATurnedPartAreAlongItsOwnAxes) {
+  for (const double turn : {20.0, 27.0, 63.0}) {
+    Loop outline{{0, 0}, {60, 0}, {60, 40}, {41, 40}, {32, 29}, {22, 40}, {0, 40}};
+    for (Vec2& point : outline)
+      point = {cosine(turn) * point.x - sine(turn) * point.y, sine(turn) * point.x + cosine(turn) * point.y};
+    const DimensionedPart sheet(block(outline, 8));
+    const sheet::FreeFaces free = sheet.free();
+    EXPECT_EQ(free.count.given, free.count.all) << turn;
+    EXPECT_TRUE(sheet.lengths_of(DimensionType::linear).empty()) << turn;
+    EXPECT_EQ(sheet.lengths_of(DimensionType::overall).size(), 1U) << turn << ": the thickness";
+  }
+}
+
 // By the three lengths that it leaves of the edges, which no view shows square to it.
 TEST(FreeFaceDimensions, GiveACornerThatIsCutOff) {
   for (const Vec3& cut : {Vec3(10, 10, 10), Vec3(20, 12, 8), Vec3(9, 15, 22)}) {
