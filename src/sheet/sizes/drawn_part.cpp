@@ -296,6 +296,7 @@ std::map<int, std::set<int>> axes_at_planes(const DrawnPart& drawn) {
     for (const int plane : beside)
       for (const int behind : beside)
         if (surface(fillet).kind == SurfaceKind::cylinder && behind != plane) add(plane, behind);
+  check(axes.size() <= drawn.faces, "planes are faces of the model");
   return axes;
 }
 

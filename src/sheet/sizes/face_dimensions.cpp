@@ -541,6 +541,7 @@ void FaceDimensions::add_widths_of_arm(std::vector<FaceDimension>& found, int fa
       if (view == nullptr || boss < 0) continue;
       const double radius = face_of(boss).surface.radius, off = glm::dot(side.origin - axis.origin, side.axis);
       if (std::abs(off) >= radius) continue;
+      check(radius > 0, "a boss has a radius");
       Vec3 along = glm::cross(axis.axis, side.axis);
       if (glm::dot(along, other.origin - axis.origin) < 0) along = -along;
       Vec3 corner = axis.origin + off * side.axis + std::sqrt(radius * radius - off * off) * along;
