@@ -285,8 +285,33 @@ void state_symmetric(const Part& part, const Directions&, const Unknowns& unknow
   }
 }
 
+// How far an even circle turns about its axis as the centre lines of a view do, if one of these goes through one of its
+// axes, or midway between two. `turned`: how far its first axis goes along the circle.
+void add_to_centre_line(std::vector<std::pair<Vec3, Row>>& on_lines, const PitchCircle& circle, const Row& turned,
+                        const Part& part, const Marks& marks) {
+  const PartSurface& drawn = surface_of(part, circle.face);
+  std::vector<Vec3> places;  // of faces about one axis, one
+  for (const int face : circle.axes) {
+    const Vec3 out = surfaces::normal_near(drawn, surface_of(part, face).origin);
+    if (std::ranges::none_of(places, [&](const Vec3& one) { return glm::distance(one, out) <= 10 * drawn_parallel; }))
+      places.push_back(out);
+  }
+  const double step = full_turn / (2 * static_cast<double>(places.size()));
+  const Vec3& out = places.front();
+  const bool is_on_line = std::ranges::any_of(marks.axes, [&](const Vec3& along) {
+    if (std::abs(glm::dot(along, drawn.axis)) > drawn_parallel) return false;
+    const double angle = std::atan2(glm::dot(glm::cross(along, out), drawn.axis), glm::dot(along, out)) / step;
+    return std::abs(angle - std::round(angle)) * step <= 10 * drawn_parallel;
+  });
+  if (!is_on_line) return;
+  Row turn = turned;
+  for (Term& term : turn) term.factor *= part.size / drawn.radius;
+  on_lines.emplace_back(drawn.axis, std::move(turn));
+}
+
 void state_on_circle(const Part& part, const Directions&, const Unknowns& unknowns, const Marks& marks,
                      Statement& statement) {
+  std::vector<std::pair<Vec3, Row>> on_lines;  // axes of circles, and how far they turn
   for (const PitchCircle& circle : marks.circles) {
     const PartSurface& drawn = surface_of(part, circle.face);
     Row first;
@@ -305,7 +330,15 @@ void state_on_circle(const Part& part, const Directions&, const Unknowns& unknow
       else
         statement.rows.push_back(difference(turned, first));
     }
+    if (circle.is_even) add_to_centre_line(on_lines, circle, first, part, marks);
   }
+  for (std::size_t i = 1; i < on_lines.size(); ++i)
+    if (glm::length(glm::cross(on_lines[i].first, on_lines[0].first)) <= drawn_parallel) {
+      const double sense = glm::dot(on_lines[i].first, on_lines[0].first) < 0 ? -1 : 1;
+      Row row = on_lines[i].second;
+      add(row, on_lines[0].second, -sense);
+      statement.rows.push_back(tidy(std::move(row)));
+    }
   for (const EvenAxes& even : marks.even_axes)
     for (std::size_t i = 1; i < even.axes.size(); ++i) {
       const Vec3& about = surface_of(part, even.about).axis;

@@ -165,6 +165,28 @@ TEST(Definition, A_pitch_circle_gives_places_of_all_its_holes) {
   EXPECT_EQ(MadeSheet(plate).needed(), 3 + 3 + 3 * 3) << "without the circle";
 }
 
+// One with a hole on a centre line, and one whose holes are on both sides of it.
+TEST(Definition, Pitch_circles_turn_as_their_centre_lines) {
+  const auto needed = [](double first) {
+    Part plate = with(box({100, 80, 10}), {cylinder({50, 40, 5}, z, 20, 0), cylinder({50, 40, 5}, z, 30, 0)});
+    std::vector<PitchCircle> circles{{6, {}}, {7, {}}};
+    const auto add = [&](PitchCircle& circle, double radius, int count, double from) {
+      for (int i = 0; i < count; ++i) {
+        const double at = (from + 360.0 * i / count) * M_PI / 180;
+        circle.axes.push_back(static_cast<int>(plate.faces.size()));
+        plate.faces.push_back(cylinder({50 + radius * std::cos(at), 40 + radius * std::sin(at), 5}, z, 3, 180));
+      }
+    };
+    add(circles[0], 20, 3, 90);
+    add(circles[1], 30, 8, first);
+    return MadeSheet(plate, {.circles = circles}).needed();
+  };
+  // Of the box 3, of the circles two diameters and two places, of the holes their diameters.
+  EXPECT_EQ(needed(22.5), 3 + 2 + 2 + 11);
+  EXPECT_EQ(needed(0), 3 + 2 + 2 + 11);
+  EXPECT_EQ(needed(10), 3 + 2 + 2 + 11 + 1) << "and the direction of the second circle";
+}
+
 TEST(Definition, Axes_that_are_even_about_another_turn_as_one) {
   Part plate = with(box({100, 80, 10}), {cylinder({50, 40, 5}, z, 5, 300)});
   EvenAxes even{6, {}};
