@@ -182,7 +182,7 @@ void match_found(std::vector<std::vector<scene::DimensionDescription>>& found, s
     for (auto* automatic : {&overall, &found[i]}) {
       sheet::Matches matches = sheet::take_matches(*automatic, wishes, world, projections, notation);
       append(of_view.dimensions, std::move(matches.matched));
-      of_view.sizes.add({std::move(matches.sizes), std::move(matches.met)});
+      of_view.sizes.add({std::move(matches.sizes), std::move(matches.met), std::move(matches.others)});
     }
     append(of_view.dimensions, std::move(overall));
   }

@@ -13,6 +13,7 @@
 #include "sheet/notation.hpp"
 #include "sizes/automatic.hpp"
 #include "sizes/hole_table.hpp"
+#include "sizes/matches.hpp"
 #include "view/projected_scene.hpp"
 #include "views/sections.hpp"
 #include "views/view_plan.hpp"
@@ -29,10 +30,12 @@ struct ViewArrow {
 struct MatchedSizes {
   std::vector<std::string> texts{};  ///< of all sizes
   std::vector<std::string> where{};  ///< the places of [[dimension]]s whose pattern is met
+  std::vector<sheet::OtherMatch> others{};
 
   void add(const MatchedSizes& more) {
     texts.insert(texts.end(), more.texts.begin(), more.texts.end());
     where.insert(where.end(), more.where.begin(), more.where.end());
+    others.insert(others.end(), more.others.begin(), more.others.end());
   }
 };
 

@@ -129,6 +129,21 @@ void warn_of_unplaced(const Messages& messages, const std::vector<Annotations>& 
                   "--transform (epura lint tells how)");
 }
 
+namespace {
+
+// Where a size with the text of a pattern is that asks for something else.
+std::string remedy_of(const scene::DimensionDescription& wish, const MatchedSizes& sizes) {
+  const auto other = std::find_if(sizes.others.begin(), sizes.others.end(),
+                                  [&](const sheet::OtherMatch& one) { return one.where == wish.where; });
+  if (sizes.texts.empty()) return "there are none without a [[dimension]] of type auto or overall, or --dimensions";
+  if (other == sizes.others.end()) return did_you_mean(*wish.match, sizes.texts);
+  if (wish.view.given() && *wish.view != other->view)
+    return "it is in view '" + other->view + "', not in '" + *wish.view + "'";
+  return "that in view '" + other->view + "' has another type or direction";
+}
+
+}  // namespace
+
 bool warn_of_unmatched(const Messages& messages, const scene::SceneDescription& scene, MatchedSizes sizes) {
   std::sort(sizes.texts.begin(), sizes.texts.end());
   sizes.texts.erase(std::unique(sizes.texts.begin(), sizes.texts.end()), sizes.texts.end());
@@ -137,10 +152,7 @@ bool warn_of_unmatched(const Messages& messages, const scene::SceneDescription& 
     if (!wish.match.given() || std::find(sizes.where.begin(), sizes.where.end(), wish.where) != sizes.where.end())
       continue;
     is_unmatched = true;
-    messages.warn(wish.match.where + ": no automatic size is '" + *wish.match + "'\n  hint: " +
-                  (sizes.texts.empty()
-                       ? "there are none without a [[dimension]] of type auto or overall, or --dimensions"
-                       : did_you_mean(*wish.match, sizes.texts)));
+    messages.warn(wish.match.where + ": no automatic size is '" + *wish.match + "'\n  hint: " + remedy_of(wish, sizes));
   }
   return is_unmatched;
 }

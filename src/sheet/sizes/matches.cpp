@@ -86,18 +86,20 @@ std::optional<WrittenSize> written(const DimensionDescription& description, cons
   return WrittenSize{description.text.given() ? replaced(*description.text, value_sign, value) : value, value};
 }
 
-bool is_meant(const DimensionDescription& wish, const DimensionDescription& dimension, const WrittenSize& size) {
+bool is_elsewhere(const DimensionDescription& wish, const DimensionDescription& dimension) {
   const auto differs = [](const auto& wanted, const auto& other) {
     return wanted.given() && wanted.value != other.value;
   };
-  if (differs(wish.view, dimension.view) || differs(wish.type, dimension.type) ||
-      differs(wish.direction, dimension.direction))
-    return false;
+  return differs(wish.view, dimension.view) || differs(wish.type, dimension.type) ||
+         differs(wish.direction, dimension.direction);
+}
+
+bool fits(const DimensionDescription& wish, const WrittenSize& size) {
   const std::string pattern = plain(*wish.match);
-  const auto fits = [&pattern](const std::string& text) {
+  const auto is_it = [&pattern](const std::string& text) {
     return ::fnmatch(pattern.c_str(), plain(text).c_str(), 0) == 0;
   };
-  return fits(size.whole) || fits(size.value);
+  return is_it(size.whole) || is_it(size.value);
 }
 
 void apply(const DimensionDescription& wish, DimensionDescription& dimension) {
@@ -150,7 +152,11 @@ struct Wishes {
       DimensionDescription one = end > 2 ? apart(dimension, place) : dimension;
       bool is_met = false;
       for (const DimensionDescription& wish : list) {
-        if (!is_meant(wish, dimension, *size)) continue;
+        if (!fits(wish, *size)) continue;
+        if (is_elsewhere(wish, dimension)) {
+          matches.others.push_back({wish.where, view.name});
+          continue;
+        }
         apply(wish, one);
         matches.met.push_back(wish.where);
         is_met = true;

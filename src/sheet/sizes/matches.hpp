@@ -13,10 +13,17 @@
 
 namespace epura::sheet {
 
+/// A size with the text of a wish that asks for another view, type or direction.
+struct OtherMatch {
+  std::string where;  ///< of the wish
+  std::string view;   ///< of the size
+};
+
 struct Matches {
   std::vector<scene::DimensionDescription> matched;  ///< with what the scene says of them
   std::vector<std::string> met;                      ///< where it says so
   std::vector<std::string> sizes;                    ///< the texts of all automatic dimensions
+  std::vector<OtherMatch> others;
 };
 
 /// Takes those out of the automatic dimensions of a view that match one of the wishes, the last one of which counts;

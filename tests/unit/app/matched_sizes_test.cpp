@@ -88,6 +88,9 @@ TEST_F(MatchedSizes, ThatAreNotThereAreTold) {
   EXPECT_EQ(run.code, 1);
   EXPECT_TRUE(contains(run.err, "scene.toml:14:9: no automatic size is '⌀11'")) << run.err;
   EXPECT_TRUE(contains(run.err, "⌀10 ↧12")) << run.err;
+  const Outcome elsewhere = draw("one", automatic + wish + "\"⌀10*\"\ntolerance = \"H7\"\nview = \"front\"\n");
+  EXPECT_EQ(elsewhere.code, 1);
+  EXPECT_TRUE(contains(elsewhere.err, "it is in view 'top', not in 'front'")) << elsewhere.err;
   const Outcome none = draw("one", wish + "\"⌀10\"\ntolerance = \"H7\"\n");
   EXPECT_EQ(none.code, 1);
   EXPECT_TRUE(contains(none.err, "--dimensions")) << none.err;
