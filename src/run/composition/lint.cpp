@@ -13,6 +13,7 @@
 #include "features/assembly_features.hpp"
 #include "features/true_extents.hpp"
 #include "sizes/free_faces.hpp"
+#include "sizes/noted_dimensions.hpp"
 #include "sizes/text_judge.hpp"
 
 namespace epura::pipeline {
@@ -119,9 +120,25 @@ HatchedFaces add_free_faces(report::Report& report, sheet::FreeFaces found, cons
   return {{faulty.begin(), faulty.end()}, std::move(found.numbers)};
 }
 
+std::string one_line(const scene::NoteText& note) {
+  std::string text;
+  for (const std::string& line : note.lines) text += (text.empty() ? "" : " ") + line;
+  return text;
+}
+
+// Each line of notes without a leader.
+std::vector<std::string> general_notes(const scene::SceneDescription& scene) {
+  std::vector<std::string> lines;
+  for (const scene::CalloutDescription& callout : scene.callouts)
+    if (const auto* note = std::get_if<scene::NoteText>(&callout.content);
+        note != nullptr && !callout.to.given() && !callout.dimension.given())
+      lines.insert(lines.end(), note->lines.begin(), note->lines.end());
+  return lines;
+}
+
 sheet::LeaderNote leader_note(const scene::NoteText& note, const ViewCallout& callout) {
   sheet::LeaderNote found;
-  for (const std::string& line : note.lines) found.text += (found.text.empty() ? "" : " ") + line;
+  found.text = one_line(note);
   if (const Vec3* at = std::get_if<Vec3>(&callout.to)) found.at = *at;
   return found;
 }
@@ -157,10 +174,12 @@ void leave_out(std::span<sheet::DimensionsInView> views, std::span<const std::ve
 HatchedFaces add_missing_sizes(report::Report& report, const JudgedSheets& sheets, const Granted& granted,
                                const Progress& progress) {
   const auto& [world, scene, views] = sheets;
-  sheet::FreeFaces found = sheet::find_free_faces(views, world, features::true_extents(world),
-                                                  notation_of(world, scene.sheets.front()), granted.rules);
-  add_uncovered_sizes(report, sheets, found.held, progress);
-  const sheet::JudgedTexts texts = sheet::judge_texts(views, world, notation_of(world, scene.sheets.front()));
+  const sheet::Notation notation = notation_of(world, scene.sheets.front());
+  const std::vector<std::string> general = general_notes(scene);
+  const std::vector<sheet::DimensionsInView> given = sheet::with_noted_sizes(views, general, world, notation);
+  sheet::FreeFaces found = sheet::find_free_faces(given, world, features::true_extents(world), notation, granted.rules);
+  add_uncovered_sizes(report, {world, scene, given}, found.held, progress);
+  const sheet::JudgedTexts texts = sheet::judge_texts(views, general, world, notation);
   for (const std::string& what : texts.untrue) report.findings.push_back({report::FindingKind::untrue, "", what});
   for (const std::string& what : texts.unjudged) report.findings.push_back({report::FindingKind::unjudged, "", what});
   return add_free_faces(report, std::move(found), granted);

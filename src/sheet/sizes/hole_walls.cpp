@@ -8,6 +8,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "definition/limits.hpp"
 #include "features/part_features.hpp"
 #include "features/tolerances.hpp"
@@ -30,8 +31,22 @@ bool are_about_one_axis(const PartSurface& surface, const WorldCircle& circle, d
 
 double radius_at(const PartFace& face, double at) { return face.surface.radius + face.surface.slope * at; }
 
-bool is_wall(const PartFace& face) {
-  return face.inwards && (face.surface.kind == SurfaceKind::cylinder || face.surface.kind == SurfaceKind::cone);
+bool is_straight(const PartFace& face) {
+  return face.surface.kind == SurfaceKind::cylinder || face.surface.kind == SurfaceKind::cone;
+}
+
+bool is_wall(const PartFace& face) { return face.inwards && is_straight(face); }
+
+double distance_from_triangle(const Vec3& point, const std::array<Vec3, 3>& corner) {
+  const Vec3 normal = glm::cross(corner[1] - corner[0], corner[2] - corner[0]);
+  double nearest = HUGE_VAL;
+  bool is_within = glm::length(normal) > 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Vec3 &a = corner[i], &b = corner[(i + 1) % 3];
+    nearest = std::min(nearest, distance_to_segment(point, a, b));
+    is_within = is_within && glm::dot(glm::cross(b - a, point - a), normal) >= 0;
+  }
+  return is_within ? std::abs(glm::dot(point - corner[0], glm::normalize(normal))) : nearest;
 }
 
 // Where the line through `from` along `along` meets a triangle, as a distance from there; nothing if it passes by.
@@ -71,19 +86,22 @@ HoleWalls::HoleWalls(const world::World& world)
 }
 
 // Cylinders that something divides are one.
-std::vector<HoleWall> HoleWalls::walls_about(const WorldCircle& circle, int model, int body) const {
+std::vector<HoleWall> HoleWalls::walls_about(const WorldCircle& circle, int model, int body, bool inwards) const {
   const std::vector<PartFace>& faces = parts_[static_cast<std::size_t>(model)]->faces;
   std::vector<HoleWall> walls;
   for (std::size_t i = 0; i < faces.size(); ++i) {
     const PartFace& face = faces[i];
-    if (face.body != body || !is_wall(face) || !are_about_one_axis(face.surface, circle, slack_)) continue;
+    if (face.body != body || !is_straight(face) || face.inwards != inwards ||
+        !are_about_one_axis(face.surface, circle, slack_))
+      continue;
     const double sense = glm::dot(face.surface.axis, circle.axis) < 0 ? -1 : 1;
     const double origin = glm::dot(face.surface.origin - circle.centre, circle.axis);
     HoleWall wall{static_cast<int>(i),
                   {origin + sense * face.from, origin + sense * face.to},
                   {radius_at(face, face.from), radius_at(face, face.to)},
                   2 * std::atan(std::abs(face.surface.slope)) * degrees,
-                  features::radius_doubt(face)};
+                  features::radius_doubt(face),
+                  face.sweep};
     if (sense < 0) std::swap(wall.at[0], wall.at[1]), std::swap(wall.radius[0], wall.radius[1]);
     const auto same = std::find_if(walls.begin(), walls.end(), [&](const HoleWall& other) {
       return std::abs(other.angle - wall.angle) <= definition::same_size &&
@@ -95,6 +113,7 @@ std::vector<HoleWall> HoleWalls::walls_about(const WorldCircle& circle, int mode
       continue;
     }
     same->at = {std::min(same->at[0], wall.at[0]), std::max(same->at[1], wall.at[1])};
+    same->sweep += wall.sweep;
   }
   for (const HoleWall& wall : walls) check(wall.at[0] <= wall.at[1], "a wall goes up along the axis");
   std::sort(walls.begin(), walls.end(), [](const HoleWall& a, const HoleWall& b) { return a.at < b.at; });
@@ -103,7 +122,7 @@ std::vector<HoleWall> HoleWalls::walls_about(const WorldCircle& circle, int mode
 
 std::optional<HoleChain> HoleWalls::chain_from(const WorldCircle& circle, int model, int face) const {
   const PartFace& first = parts_[static_cast<std::size_t>(model)]->faces[static_cast<std::size_t>(face)];
-  const std::vector<HoleWall> all = walls_about(circle, model, first.body);
+  const std::vector<HoleWall> all = walls_about(circle, model, first.body, true);
   const double sense = glm::dot(first.surface.axis, circle.axis) < 0 ? -1 : 1;
   const double middle =
       glm::dot(first.surface.origin - circle.centre, circle.axis) + sense * (first.from + first.to) / 2;
@@ -147,17 +166,19 @@ void HoleWalls::find_ends(HoleChain& chain) const {
   }
 }
 
+std::array<Vec3, 3> HoleWalls::corners_of(std::size_t model, std::size_t triangle) const {
+  const auto first = static_cast<std::size_t>(world_.first_triangle[model]);
+  std::array<Vec3, 3> corner;
+  for (std::size_t i = 0; i < 3; ++i)
+    corner[i] = world_.points[static_cast<std::size_t>(world_.triangles[first + triangle][i])];
+  return corner;
+}
+
 // The first one beside a wall, where a boss in the middle is not in the way.
 std::optional<int> HoleWalls::face_ahead(const HoleChain& chain, const HoleWall& wall, const Vec3& along) const {
   constexpr double inwards = 0.1;  // of its radius
   const world::PlacedPart& part = *parts_[static_cast<std::size_t>(chain.model)];
-  const auto first = static_cast<std::size_t>(world_.first_triangle[static_cast<std::size_t>(chain.model)]);
-  const auto corners = [&](std::size_t t) {
-    std::array<Vec3, 3> corner;
-    for (std::size_t i = 0; i < 3; ++i)
-      corner[i] = world_.points[static_cast<std::size_t>(world_.triangles[first + t][i])];
-    return corner;
-  };
+  const auto corners = [&](std::size_t t) { return corners_of(static_cast<std::size_t>(chain.model), t); };
   const auto own = std::find(part.face_of_triangle.begin(), part.face_of_triangle.end(), wall.face);
   if (own == part.face_of_triangle.end()) return std::nullopt;
   const std::array<Vec3, 3> facet = corners(static_cast<std::size_t>(own - part.face_of_triangle.begin()));
@@ -267,20 +288,65 @@ std::vector<HoleChain> HoleWalls::chains_of(double radius) const {
   return chains;
 }
 
-int HoleWalls::faces_of(double radius) const {
-  int count = 0;
-  for (const auto& part : parts_) {
-    if (!part) continue;
-    for (const PartFace& face : part->faces) {
-      const double doubt = slack_ + features::radius_doubt(face) + definition::same_size * radius;
-      const auto is_it = [&](double one) { return std::abs(one - radius) <= doubt; };
-      const SurfaceKind kind = face.surface.kind;
-      const bool has = kind == SurfaceKind::cone ? is_it(radius_at(face, face.from)) || is_it(radius_at(face, face.to))
-                                                 : is_it(face.surface.radius) || is_it(face.surface.minor);
-      if (kind != SurfaceKind::plane && kind != SurfaceKind::free_form && has) ++count;
+std::vector<HoleWall> HoleWalls::shafts_at(const WorldCircle& circle) const {
+  std::vector<HoleWall> shafts;
+  for (std::size_t model = 0; model < parts_.size(); ++model) {
+    if (!parts_[model]) continue;
+    std::vector<int> bodies;
+    for (const PartFace& face : parts_[model]->faces)
+      if (std::find(bodies.begin(), bodies.end(), face.body) == bodies.end()) bodies.push_back(face.body);
+    for (const int body : bodies)
+      for (const HoleWall& wall : walls_about(circle, static_cast<int>(model), body, false))
+        if (std::abs(wall.widest() - circle.radius) <= slack_ + wall.doubt + definition::same_size * circle.radius)
+          shafts.push_back(wall);
+  }
+  return shafts;
+}
+
+// Those about one axis that overlap along it are one.
+std::vector<NotedRound> HoleWalls::rounds(std::optional<double> radius) const {
+  std::vector<NotedRound> found;
+  const auto add = [&](std::size_t model, std::size_t number, double own, const Vec3& centre) {
+    const PartFace& face = parts_[model]->faces[number];
+    const double doubt = slack_ + features::radius_doubt(face) + definition::same_size * own;
+    if (radius && std::abs(own - *radius) > doubt) return;
+    const bool is_along = is_straight(face);
+    const double origin = glm::dot(face.surface.origin - centre, face.surface.axis);
+    NotedRound one{static_cast<int>(model),
+                   static_cast<int>(number),
+                   {centre, face.surface.axis, own, {}, true},
+                   face.surface.kind == SurfaceKind::sphere ? 360 : face.sweep,
+                   face.inwards,
+                   {origin + (is_along ? face.from : 0), origin + (is_along ? face.to : 0)}};
+    const auto same = std::find_if(found.begin(), found.end(), [&](const NotedRound& other) {
+      const double off = glm::dot(other.circle.centre - centre, one.circle.axis);
+      const bool is_same_way = glm::dot(other.circle.axis, one.circle.axis) > 0;
+      const double low = off + (is_same_way ? other.at[0] : -other.at[1]);
+      const double high = off + (is_same_way ? other.at[1] : -other.at[0]);
+      return other.model == one.model && std::abs(other.circle.radius - own) <= doubt &&
+             are_about_one_axis(face.surface, other.circle, slack_) && low <= one.at[1] + slack_ &&
+             one.at[0] <= high + slack_ && is_along == is_straight(parts_[model]->faces[size_t(other.face)]);
+    });
+    if (same == found.end())
+      found.push_back(one);
+    else
+      same->sweep += one.sweep;
+  };
+  for (std::size_t model = 0; model < parts_.size(); ++model) {
+    if (!parts_[model]) continue;
+    for (std::size_t i = 0; i < parts_[model]->faces.size(); ++i) {
+      const PartFace& face = parts_[model]->faces[i];
+      const PartSurface& one = face.surface;
+      if (one.kind == SurfaceKind::plane || one.kind == SurfaceKind::free_form) continue;
+      if (one.kind == SurfaceKind::torus) add(model, i, one.minor, one.origin);
+      if (one.kind != SurfaceKind::cone && (radius || one.kind != SurfaceKind::torus))
+        add(model, i, one.radius, one.origin);
+      if (one.kind != SurfaceKind::cone) continue;
+      check(face.from <= face.to, "a cone goes up along its axis");
+      for (const double at : {face.from, face.to}) add(model, i, radius_at(face, at), one.origin + at * one.axis);
     }
   }
-  return count;
+  return found;
 }
 
 bool HoleWalls::has_round(const WorldCircle& circle) const {
@@ -311,19 +377,48 @@ bool HoleWalls::is_between(const Vec3& from, const Vec3& to, double radius, cons
   return false;
 }
 
+std::vector<FaceOfModel> HoleWalls::faces_at(const Vec3& point, double within) const {
+  check(within >= 0, "a distance is not negative");
+  std::vector<FaceOfModel> found;
+  for (std::size_t model = 0; model < parts_.size(); ++model) {
+    if (!parts_[model]) continue;
+    const world::PlacedPart& part = *parts_[model];
+    std::vector<char> is_known(part.faces.size(), 0);
+    for (std::size_t t = 0; t < part.face_of_triangle.size(); ++t) {
+      const int number = part.face_of_triangle[t];
+      if (number < 0 || is_known[static_cast<std::size_t>(number)] != 0) continue;
+      const PartFace& face = part.faces[static_cast<std::size_t>(number)];
+      const double doubt = within + features::radius_doubt(face) + 2 * face.sagitta;
+      if (distance_from_triangle(point, corners_of(model, t)) > doubt) continue;
+      is_known[static_cast<std::size_t>(number)] = 1;
+      found.push_back({model, number});
+    }
+  }
+  return found;
+}
+
 std::optional<WorldCircle> HoleWalls::circle_through(const Vec3& point) const {
   std::optional<WorldCircle> found;
-  for (const auto& part : parts_) {
-    if (!part) continue;
-    for (const PartFace& face : part->faces) {
-      const PartSurface& one = face.surface;
-      if (one.kind != SurfaceKind::cylinder) continue;
-      const double at = glm::dot(point - one.origin, one.axis), off = glm::length(point - one.origin - at * one.axis);
-      const double doubt = slack_ + features::radius_doubt(face) + face.sagitta * 2;
-      if (std::abs(off - one.radius) > doubt || at < face.from - slack_ || at > face.to + slack_) continue;
-      if (!found || one.radius < found->radius)
-        found = WorldCircle{one.origin + at * one.axis, one.axis, one.radius, {}, true};
+  const auto slacks = written_slacks();
+  std::vector<FaceOfModel> faces = faces_at(point, slacks.front());
+  const auto is_round = [this](const FaceOfModel& at) {
+    return world::is_round(parts_[at.model]->faces[static_cast<std::size_t>(at.face)].surface.kind);
+  };
+  if (std::ranges::none_of(faces, is_round)) faces = faces_at(point, slacks.back());
+  for (const FaceOfModel& at : faces) {
+    const PartFace& face = parts_[at.model]->faces[static_cast<std::size_t>(at.face)];
+    const PartSurface& one = face.surface;
+    if (one.kind == SurfaceKind::plane || one.kind == SurfaceKind::free_form) continue;
+    WorldCircle circle{one.origin, one.axis, one.radius, {}, true};
+    if (one.kind == SurfaceKind::cylinder) circle.centre += glm::dot(point - one.origin, one.axis) * one.axis;
+    if (one.kind == SurfaceKind::torus) circle.radius = one.minor;
+    if (one.kind == SurfaceKind::cone) {
+      const double end = radius_at(face, face.from) > radius_at(face, face.to) ? face.from : face.to;
+      circle.centre += end * one.axis;
+      circle.radius = radius_at(face, end);
     }
+    check(circle.radius > 0, "a round face has a radius");
+    if (!found || circle.radius < found->radius) found = circle;
   }
   return found;
 }

@@ -9,21 +9,44 @@
 #include <vector>
 
 #include "sizes/anchors.hpp"
+#include "surfaces/limits.hpp"
 #include "world/placed_part.hpp"
 
 namespace epura::sheet {
 
-/// A cylinder or cone around a hole.
+inline constexpr double least_slot_end = 175;  ///< degrees around an axis; fillets have less
+
+/// A cylinder or cone around a hole, or around material.
 struct HoleWall {
   int face;
   std::array<double, 2> at;      ///< where it begins and ends, along the axis of the chain from its centre; ascending
   std::array<double, 2> radius;  ///< there
   double angle = 0;              ///< of a cone, between opposite sides, degrees
   double doubt = 0;              ///< of its radius
+  double sweep = 0;              ///< degrees around the axis; of one that something divides, of all its pieces
 
   [[nodiscard]] bool is_cone() const { return angle > 0; }
   [[nodiscard]] double length() const { return at[1] - at[0]; }
   [[nodiscard]] double widest() const { return std::max(radius[0], radius[1]); }
+  [[nodiscard]] bool is_fillet() const { return sweep < least_slot_end; }
+};
+
+/// Round faces that are one, by the circle of their radius.
+struct NotedRound {
+  int model, face;
+  WorldCircle circle;
+  double sweep;  ///< degrees; 360 of what has none
+  bool inwards;
+  std::array<double, 2> at;  ///< from where to where it goes along its axis, from the centre of the circle
+
+  [[nodiscard]] bool is_fillet() const { return sweep < least_slot_end; }
+  [[nodiscard]] bool is_whole() const { return sweep >= surfaces::whole_turn; }
+};
+
+/// A face of one of the models.
+struct FaceOfModel {
+  std::size_t model;
+  int face;
 };
 
 /// Walls that follow each other along an axis, in one body.
@@ -51,21 +74,28 @@ class HoleWalls {
   [[nodiscard]] WorldCircle bore_of(WorldCircle thread, double core) const;
   /// All chains that have a wall of this radius, each once for each such wall.
   [[nodiscard]] std::vector<HoleChain> chains_of(double radius) const;
-  /// How many round faces have this radius, or cones such an end.
-  [[nodiscard]] int faces_of(double radius) const;
+  /// Those around material whose wall a circle is.
+  [[nodiscard]] std::vector<HoleWall> shafts_at(const WorldCircle& circle) const;
+  /// Round faces of a radius, or all; cones by each end.
+  [[nodiscard]] std::vector<NotedRound> rounds(std::optional<double> radius = {}) const;
   /// Whether a round face has a circle of this radius about an axis, or a ball its centre there.
   [[nodiscard]] bool has_round(const WorldCircle& circle) const;
   /// Whether something round reaches from one place to another, across its axis.
   [[nodiscard]] bool is_between(const Vec3& from, const Vec3& to, double radius, const Vec3& along) const;
-  /// The narrowest circle about a round face through a point.
+  /// The narrowest circle of a round face at a point: of a cone its wider end, of a torus that of its tube.
   [[nodiscard]] std::optional<WorldCircle> circle_through(const Vec3& point) const;
+  /// The faces that are so near to a point.
+  [[nodiscard]] std::vector<FaceOfModel> faces_at(const Vec3& point, double within) const;
+  /// How far off places may be that people write, in order of preference.
+  [[nodiscard]] std::array<double, 2> written_slacks() const { return {slack_, 10 * slack_}; }
 
   [[nodiscard]] const std::vector<std::optional<world::PlacedPart>>& parts() const { return parts_; }
   /// How far apart what is the same may be.
   [[nodiscard]] double slack() const { return slack_; }
 
  private:
-  [[nodiscard]] std::vector<HoleWall> walls_about(const WorldCircle& circle, int model, int body) const;
+  [[nodiscard]] std::vector<HoleWall> walls_about(const WorldCircle& circle, int model, int body, bool inwards) const;
+  [[nodiscard]] std::array<Vec3, 3> corners_of(std::size_t model, std::size_t triangle) const;
   [[nodiscard]] std::optional<HoleChain> chain_from(const WorldCircle& circle, int model, int face) const;
   void find_ends(HoleChain& chain) const;
   [[nodiscard]] std::optional<int> face_ahead(const HoleChain& chain, const HoleWall& wall, const Vec3& along) const;

@@ -24,7 +24,8 @@ namespace {
 // By what it says; of sizes and what nobody understands, by the sign.
 NumberKind kind_of(const NotedElement& element) {
   const bool is_round = element.sign == NotedSign::diameter || element.is_recess();
-  return element.role == NotedRole::depth     ? NumberKind::depth
+  const bool is_along = element.role == NotedRole::depth || (element.role == NotedRole::length && element.of > 0);
+  return is_along                             ? NumberKind::depth
          : element.sign == NotedSign::degrees ? NumberKind::degrees
          : is_round                           ? NumberKind::diameter
                                               : NumberKind::any;
@@ -51,8 +52,9 @@ std::optional<double> measured_size(const AnchoredDimension& dimension, const Di
 
 std::vector<NotedNumber> noted_numbers(const std::string& text, const Notation& notation) {
   std::vector<NotedNumber> numbers;
+  constexpr std::array elsewhere{NotedRole::thread, NotedRole::circle, NotedRole::evenly, NotedRole::limits};
   for (const NotedElement& one : read_text(text, notation).elements) {
-    if (!(one.least > 0) || one.role == NotedRole::thread) continue;
+    if (!(one.least > 0) || std::ranges::find(elsewhere, one.role) != elsewhere.end()) continue;
     const double twice = one.is_recess() && one.sign == NotedSign::radius ? 2 : 1;
     numbers.push_back({twice * one.least, kind_of(one), one.of_role == NotedRole::thread ? 0 : one.of});
   }

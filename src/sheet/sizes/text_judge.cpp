@@ -17,37 +17,18 @@
 #include "scene/choices.hpp"
 #include "sizes/dimension_names.hpp"
 #include "sizes/equal_lengths.hpp"
+#include "sizes/fits.hpp"
+#include "sizes/general_notes.hpp"
+#include "sizes/hole_judge.hpp"
 #include "sizes/hole_walls.hpp"
 #include "sizes/note_text.hpp"
+#include "sizes/noted_chamfers.hpp"
 #include "sizes/place_joins.hpp"
 #include "sizes/stated_values.hpp"
 
 namespace epura::sheet {
 
 namespace {
-
-constexpr double angle_doubt = 0.02;  ///< degrees, of fitted cones
-
-/// What is found of one text. The first fault is told.
-struct Verdict {
-  std::string has{};     ///< the part, where the text says otherwise
-  std::string unsure{};  ///< of what nobody can tell
-
-  void doubt(const std::string& what) {
-    if (unsure.empty()) unsure = what;
-  }
-  void deny(const std::string& what) {
-    if (has.empty()) has = what;
-  }
-};
-
-bool is_of_hole(const NotedElement& one) {
-  return one.is_recess() || one.role == NotedRole::depth || one.role == NotedRole::through ||
-         one.role == NotedRole::blind || one.role == NotedRole::thread ||
-         (one.role == NotedRole::angle && one.of_role != NotedRole::size);
-}
-
-double diameter_of(const NotedElement& one) { return one.sign == NotedSign::radius ? 2 * one.least : one.least; }
 
 class Judge {
  public:
@@ -66,7 +47,7 @@ class Judge {
     if (!text.unread.empty()) verdict.doubt("'" + text.unread + "'");
     judge_size(verdict, text, dimension, view);
     if (is_hole && !dimension.circles.empty())
-      judge_hole(verdict, text, dimension.circles.front());
+      judge_hole(verdict, text, dimension.circles.front(), walls_, notation_);
     else
       judge_length(verdict, text, dimension, view);
     return verdict;
@@ -77,17 +58,38 @@ class Judge {
     Verdict verdict;
     const NotedText text = read_text(note.text, notation_);
     if (text.elements.empty()) return verdict;
-    const std::optional<WorldCircle> circle = note.at ? walls_.circle_through(*note.at) : std::optional<WorldCircle>();
-    const NotedElement* size = text.size();
-    const bool is_round = size != nullptr && (size->sign == NotedSign::diameter || size->sign == NotedSign::radius);
     if (!text.unread.empty()) verdict.doubt("'" + text.unread + "'");
-    if (!circle || !is_round) {
+    const NotedElement* size = text.size();
+    const std::optional<WorldCircle> circle = note.at ? walls_.circle_through(*note.at) : std::optional<WorldCircle>();
+    const auto is_thread = [](const NotedElement& one) { return one.role == NotedRole::thread; };
+    const bool is_chamfer = size != nullptr && size->sign == NotedSign::none && has_slope(text);
+    if (is_chamfer && note.at) return judge_chamfer(std::move(verdict), text, *note.at);
+    if (circle && size == nullptr && std::ranges::any_of(text.elements, is_thread)) {
+      judge_hole(verdict, text, *circle, walls_, notation_);
+      return verdict;
+    }
+    const bool is_round = size != nullptr && size->sign != NotedSign::degrees && size->sign != NotedSign::square;
+    const double half = is_round && (size->sign == NotedSign::radius || size->sign == NotedSign::sphere_radius) ? 1 : 2;
+    const double measured = circle ? half * circle->radius : 0;
+    const bool is_it = is_round && circle && size->allows(measured, walls_.slack());
+    // "8× 10" at a hole of 10
+    if (!circle || !is_round || (size->sign == NotedSign::none && !is_it)) {
       verdict.doubt("'" + note.text + "'");
       return verdict;
     }
-    const double measured = (size->sign == NotedSign::radius ? 1 : 2) * circle->radius;
-    if (!size->allows(measured, walls_.slack()) && !is_at_recess(text, measured)) verdict.deny(number(measured));
-    judge_hole(verdict, text, *circle);
+    if (!is_it && !is_at_recess(text, measured, walls_)) verdict.deny(number(measured));
+    judge_zone(verdict, text);
+    judge_hole(verdict, text, *circle, walls_, notation_);
+    return verdict;
+  }
+
+  /// Of all things of a kind that no other text gives.
+  Verdict judge_general(const std::string& text, std::span<const DimensionsInView> views) {
+    const NotedText read = read_text(text, notation_);
+    Verdict verdict;
+    if (read.kind == NotedKind::none || read.elements.empty()) return verdict;
+    if (!read.unread.empty()) verdict.doubt("'" + read.unread + "'");
+    judge_of_kind(verdict, read, given_elsewhere(views), walls_, world_, notation_);
     return verdict;
   }
 
@@ -99,8 +101,61 @@ class Judge {
     return text_of(dimension, view, notation_);
   }
 
-  [[nodiscard]] std::string number(double millimetres) const {
-    return format_rounded(millimetres / scene::millimetres(notation_.unit), 6);
+  [[nodiscard]] std::string number(double millimetres) const { return number_text(millimetres, notation_); }
+
+  // What other texts say of holes and radii.
+  [[nodiscard]] std::vector<GivenSize> given_elsewhere(std::span<const DimensionsInView> views) const {
+    std::vector<GivenSize> given;
+    for (const DimensionsInView& view : views) {
+      for (const AnchoredDimension& dimension : view.dimensions)
+        for (const WorldCircle& circle : dimension.circles)
+          given.push_back({circle, read_text(written(dimension, view), notation_)});
+      for (const LeaderNote& note : view.notes)
+        if (const auto circle = note.at ? walls_.circle_through(*note.at) : std::optional<WorldCircle>())
+          given.push_back({*circle, read_text(note.text, notation_)});
+    }
+    return given;
+  }
+
+  // "2×45°", "2×2"
+  static bool has_slope(const NotedText& text) {
+    return std::ranges::any_of(std::span(text.elements).first(text.understood), [](const NotedElement& one) {
+      return (one.role == NotedRole::angle || one.role == NotedRole::length) && one.of <= 0;
+    });
+  }
+
+  Verdict judge_chamfer(Verdict verdict, const NotedText& text, const Vec3& at) {
+    const std::vector<ChamferLegs> chamfers = chamfers_at(at, walls_, world_);
+    const bool suits = std::ranges::any_of(
+        chamfers, [&](const ChamferLegs& one) { return one.suits(text, 2 * walls_.slack(), angle_doubt); });
+    if (chamfers.empty()) verdict.doubt("whether a chamfer is there");
+    if (!chamfers.empty() && !suits) verdict.deny(chamfers.front().text(notation_) + " there");
+    if (text.count == 1 || !suits) return verdict;
+    const int count = EqualLengths(walls_.parts(), world_, walls_.slack()).slopes(text.size()->least);
+    if (count < text.count) verdict.deny(std::to_string(count) + " of these");
+    return verdict;
+  }
+
+  // "80 H7 (80.03/80)": what the class allows.
+  void judge_zone(Verdict& verdict, const NotedText& text) const {
+    const NotedElement* size = text.size();
+    for (const NotedElement& one : std::span(text.elements).first(text.understood)) {
+      if (one.role != NotedRole::limits || size == nullptr || !(size->least > 0)) continue;
+      if (text.fit.empty()) {
+        if (!one.allows(size->least, 0)) verdict.deny("other limits than those of its size");
+        continue;
+      }
+      constexpr double rounded = 5e-4;  // mm, of deviations in micrometres
+      try {
+        const auto zone = deviations_of(parse_tolerance_class(text.fit, ""), size->least, "");
+        if (std::abs(one.least - size->least - zone.lower) > one.slack + rounded ||
+            std::abs(one.most - size->least - zone.upper) > one.slack + rounded)
+          verdict.deny("other limits by " + text.fit + ": " + number(size->least + zone.upper) + "/" +
+                       number(size->least + zone.lower));
+      } catch (const Error&) {
+        verdict.doubt("what " + text.fit + " allows");
+      }
+    }
   }
 
   // What is measured, its sum and the same in another unit.
@@ -119,8 +174,9 @@ class Judge {
                                      (size->sign == NotedSign::radius || size->sign == NotedSign::sphere_radius)
                                  ? 0.5
                                  : 1;
-    if (size != nullptr && !size->allows(of_circle * *measured, doubt) && !is_at_recess(text, *measured))
+    if (size != nullptr && !size->allows(of_circle * *measured, doubt) && !is_at_recess(text, *measured, walls_))
       verdict.deny(has);
+    judge_zone(verdict, text);
     for (std::size_t i = 0; i < text.understood; ++i) {
       const NotedElement& one = text.elements[i];
       if (one.role != NotedRole::other_unit) continue;
@@ -161,10 +217,15 @@ class Judge {
 
   void judge_kind(Verdict& verdict, const NotedElement& one, const AnchoredDimension& dimension,
                   const std::optional<Vec3>& along) {
+    if (one.role == NotedRole::circle || one.role == NotedRole::evenly) return verdict.doubt("what is on a circle");
+    if (one.role == NotedRole::length) return verdict.doubt("what has a length of " + number(one.least));
     if (is_of_hole(one)) return verdict.deny("no hole there");
     if (one.role == NotedRole::angle && along) return judge_slope(verdict, one, dimension, *along);
     if (one.role != NotedRole::size || one.sign == NotedSign::none || one.sign == NotedSign::degrees) return;
-    if (one.sign == NotedSign::square) return verdict.doubt("a square");
+    if (one.sign == NotedSign::square) {
+      if (EqualLengths(walls_.parts(), world_, walls_.slack()).lengths(one.least) < 2) verdict.deny("no square there");
+      return;
+    }
     const bool is_radius = one.sign == NotedSign::radius || one.sign == NotedSign::sphere_radius;
     const double radius = (is_radius ? 1 : 0.5) * one.least;
     if (!along || is_radius || !walls_.is_between(dimension.points[0], dimension.points[1], radius, *along)) {
@@ -204,140 +265,6 @@ class Judge {
     }
   }
 
-  // Whether the leader of a note ends at the rim of the recess that the note gives.
-  [[nodiscard]] bool is_at_recess(const NotedText& text, double diameter) const {
-    const auto elements = std::span(text.elements).first(text.understood);
-    return text.size() != nullptr && text.size()->sign == NotedSign::diameter &&
-           std::ranges::any_of(elements, [&](const NotedElement& one) {
-             return one.is_recess() && one.allows(diameter, definition::same_size * diameter + 2 * walls_.slack());
-           });
-  }
-
-  // The circle that the size of a note means: of a thread its bore, of a note at its recess the wall below.
-  [[nodiscard]] WorldCircle circle_meant(const NotedText& text, WorldCircle noted, bool is_thread) const {
-    if (is_thread) return walls_.bore_of(noted, core_of_thread);
-    if (is_at_recess(text, 2 * noted.radius)) noted.radius = text.size()->least / 2;
-    return noted;
-  }
-
-  // What a note says of the walls about the circle where it ends, and of how many there are.
-  void judge_hole(Verdict& verdict, const NotedText& text, const WorldCircle& noted) {
-    const std::vector<NotedElement> elements(text.elements.begin(),
-                                             text.elements.begin() + static_cast<std::ptrdiff_t>(text.understood));
-    check(elements.size() <= text.elements.size(), "what is understood is part of a text");
-    const bool any_of_hole = std::ranges::any_of(elements, is_of_hole);
-    if (!any_of_hole && text.count == 1) return;
-    const bool is_thread = std::ranges::any_of(elements, [](const auto& one) { return one.role == NotedRole::thread; });
-    const WorldCircle circle = circle_meant(text, noted, is_thread);
-    const std::optional<HoleChain> chain = walls_.chain_at(circle);
-    if (!chain && any_of_hole && !is_thread) {
-      if (walls_.has_round(circle)) return verdict.deny("no hole there");
-      return verdict.doubt("whether a hole is there");
-    }
-    if (chain)
-      for (const NotedElement& one : elements)
-        if (const std::string has = denied(one, *chain); !has.empty()) verdict.deny(has);
-    if (text.count == 1 || !verdict.has.empty()) return;
-    int count = 0;
-    if (chain && any_of_hole)
-      for (const HoleChain& one : walls_.chains_of(circle.radius))
-        count += std::ranges::all_of(elements, [&](const auto& of) { return denied(of, one).empty(); }) ? 1 : 0;
-    else
-      count = walls_.faces_of(circle.radius);
-    if (count == 0) return verdict.doubt("how many of these there are");
-    if (count < text.count) verdict.deny(std::to_string(count) + " of these");
-  }
-
-  // What the part has where an element of a note says something else; empty if it is right.
-  [[nodiscard]] std::string denied(const NotedElement& one, const HoleChain& chain) const {
-    switch (one.role) {
-      case NotedRole::counterbore:
-      case NotedRole::countersink:
-        return denied_recess(one, chain);
-      case NotedRole::depth:
-        return denied_depth(one, chain);
-      case NotedRole::angle:
-        return denied_angle(one, chain);
-      case NotedRole::thread:
-        return denied_thread(one, chain);
-      case NotedRole::through:
-        return chain.ends_at(chain.own, 0) || chain.ends_at(chain.own, 1) ? "a blind hole there" : "";
-      case NotedRole::blind:
-        return chain.ends_at(chain.own, 0) || chain.ends_at(chain.own, 1) ? "" : "a through hole there";
-      default:
-        return "";
-    }
-  }
-
-  // The wall that a diameter in a note means; nothing if there is none.
-  [[nodiscard]] std::optional<std::size_t> wall_of(NotedRole role, double diameter, double slack,
-                                                   const HoleChain& chain) const {
-    if (!is_recess(role)) return chain.own;
-    for (std::size_t i = 0; i < chain.walls.size(); ++i) {
-      const HoleWall& wall = chain.walls[i];
-      const double doubt = 2 * (walls_.slack() + wall.doubt) + definition::same_size * diameter;
-      if (i != chain.own && wall.is_cone() == (role == NotedRole::countersink) &&
-          std::abs(2 * wall.widest() - diameter) <= slack + doubt)
-        return i;
-    }
-    return std::nullopt;
-  }
-
-  static bool is_recess(NotedRole role) { return role == NotedRole::counterbore || role == NotedRole::countersink; }
-
-  [[nodiscard]] std::string denied_recess(const NotedElement& one, const HoleChain& chain) const {
-    if (wall_of(one.role, diameter_of(one), one.slack, chain)) return "";
-    const bool is_bore = one.role == NotedRole::counterbore;
-    const NotedRole other = is_bore ? NotedRole::countersink : NotedRole::counterbore;
-    if (wall_of(other, diameter_of(one), one.slack, chain))
-      return is_bore ? "a countersink there" : "a counterbore there";
-    return std::string("no ") + (is_bore ? "counterbore" : "countersink") + " of ⌀" + number(diameter_of(one)) +
-           " there";
-  }
-
-  // From the end of the wall to its beginning, or to the mouth; to where a mouth in a round face begins or ends.
-  [[nodiscard]] std::string denied_depth(const NotedElement& one, const HoleChain& chain) const {
-    const std::optional<std::size_t> at = wall_of(one.of_role, one.of, diameter_slack(one), chain);
-    if (!at) return "";  // the recess itself is denied
-    const HoleWall& wall = chain.walls[*at];
-    const bool is_thread = one.of_role == NotedRole::thread;
-    std::string has;
-    for (const std::size_t end : {0, 1}) {
-      if (!chain.ends_at(*at, static_cast<int>(end))) continue;
-      const double to_mouth = end == 0 ? chain.walls.back().at[1] - wall.at[0] : wall.at[1] - chain.walls.front().at[0];
-      for (const double depth : {wall.length(), to_mouth}) {
-        const double doubt = walls_.slack() + definition::same_size * depth;
-        if (one.most + one.slack + doubt >= depth - chain.uneven[1 - end] && one.least - one.slack - doubt <= depth)
-          return "";
-        if (is_thread && one.least <= depth + one.slack + doubt) return "";
-      }
-      has = "↧" + number(wall.length()) + " there";
-    }
-    if (has.empty() && is_thread && one.least <= wall.length() + one.slack) return "";
-    return has.empty() ? "a through hole there" : has;
-  }
-
-  // Of the diameter before it.
-  static double diameter_slack(const NotedElement& one) { return definition::same_size * one.of; }
-
-  [[nodiscard]] std::string denied_angle(const NotedElement& one, const HoleChain& chain) const {
-    std::string has;
-    for (const HoleWall& wall : chain.walls) {
-      if (!wall.is_cone()) continue;
-      if (one.allows(wall.angle, angle_doubt)) return "";
-      has = format_rounded(wall.angle, 4) + "° there";
-    }
-    return has.empty() ? "no cone there" : has;
-  }
-
-  // Its hole is drilled for it, or drawn as wide as the thread.
-  [[nodiscard]] std::string denied_thread(const NotedElement& one, const HoleChain& chain) const {
-    const double diameter = 2 * chain.walls[chain.own].widest();
-    const bool is_it = one.least <= 0 || (diameter >= core_of_thread * one.least &&
-                                          diameter <= one.least * (1 + features::same_size) + 2 * walls_.slack());
-    return is_it ? "" : "⌀" + number(diameter) + " there";
-  }
-
   const world::World& world_;
   const Notation& notation_;
   HoleWalls walls_;
@@ -345,7 +272,8 @@ class Judge {
 
 }  // namespace
 
-JudgedTexts judge_texts(std::span<const DimensionsInView> views, const world::World& world, const Notation& notation) {
+JudgedTexts judge_texts(std::span<const DimensionsInView> views, std::span<const std::string> general,
+                        const world::World& world, const Notation& notation) {
   JudgedTexts found;
   Judge judge(world, notation);
   const DimensionNames names(views, notation);
@@ -359,6 +287,7 @@ JudgedTexts judge_texts(std::span<const DimensionsInView> views, const world::Wo
     for (const LeaderNote& note : views[view].notes)
       add(judge.judge(note), "'" + note.text + "' in view '" + views[view].view + "'");
   }
+  for (const std::string& note : general) add(judge.judge_general(note, views), "'" + note + "'");
   return found;
 }
 

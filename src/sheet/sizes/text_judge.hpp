@@ -20,6 +20,8 @@ struct JudgedTexts {
 
 /// Each size by its kind, its unit and to its last digit, between limits, in brackets, too; each count; of notes of
 /// holes each depth, recess, angle and thread by the walls around the same axis. What is not understood is told.
-JudgedTexts judge_texts(std::span<const DimensionsInView> views, const world::World& world, const Notation& notation);
+/// Notes without a leader, `general`, where they speak of all fillets, holes or chamfers.
+JudgedTexts judge_texts(std::span<const DimensionsInView> views, std::span<const std::string> general,
+                        const world::World& world, const Notation& notation);
 
 }  // namespace epura::sheet

@@ -16,6 +16,7 @@
 #include "mesh/read.hpp"
 #include "sizes/automatic.hpp"
 #include "sizes/free_faces.hpp"
+#include "sizes/noted_dimensions.hpp"
 #include "sizes/rebuilt_part.hpp"
 #include "sizes/text_judge.hpp"
 
@@ -71,6 +72,7 @@ class DimensionedPart {
     }
   }
 
+  std::vector<std::string> general;  ///< notes without a leader
   definition::RuleSet rules = definition::rules_of(definition::Standard::iso);
 
   [[nodiscard]] Said free() const { return find_in(views_); }
@@ -108,6 +110,35 @@ class DimensionedPart {
     return find_in(views);
   }
 
+  /// Without one of its dimensions, but with a note whose leader ends at a place.
+  [[nodiscard]] Said noted_instead(std::size_t number, const std::string& text, const Vec3& at) const {
+    std::vector<sheet::DimensionsInView> views = views_without(number);
+    views.front().notes.push_back({text, at});
+    return find_in(views);
+  }
+
+  /// The same with a note without a leader.
+  [[nodiscard]] Said said_instead(std::size_t number, const std::string& text) const {
+    DimensionedPart part = *this;
+    part.views_ = views_without(number);
+    part.general.push_back(text);
+    return part.free();
+  }
+
+  /// With a note whose leader ends at a place.
+  [[nodiscard]] Said with_note(const std::string& text, const Vec3& at) const {
+    std::vector<sheet::DimensionsInView> views = views_;
+    views.front().notes.push_back({text, at});
+    return find_in(views);
+  }
+
+  /// With a note without a leader.
+  [[nodiscard]] Said with_general(const std::string& text) const {
+    DimensionedPart part = *this;
+    part.general.push_back(text);
+    return part.free();
+  }
+
   [[nodiscard]] Said without_centre_lines() const {
     std::vector<sheet::DimensionsInView> views = views_;
     for (sheet::DimensionsInView& view : views) view.has_centre_lines = false;
@@ -143,8 +174,9 @@ class DimensionedPart {
 
  private:
   [[nodiscard]] Said find_in(const std::vector<sheet::DimensionsInView>& views) const {
-    sheet::JudgedTexts texts_judged = sheet::judge_texts(views, world_, notation);
-    return {sheet::find_free_faces(views, world_, extents_, notation, rules), std::move(texts_judged.untrue),
+    sheet::JudgedTexts texts_judged = sheet::judge_texts(views, general, world_, notation);
+    const auto given = sheet::with_noted_sizes(views, general, world_, notation);
+    return {sheet::find_free_faces(given, world_, extents_, notation, rules), std::move(texts_judged.untrue),
             std::move(texts_judged.unjudged)};
   }
 

@@ -90,18 +90,20 @@ TEST(StatedTexts, OfNoSizeLeaveItOpen) {
 
 TEST(StatedTexts, SayTheKindTheUnitAndTheCount) {
   const DimensionedPart part(sloped_block);
-  for (const char* text : {"60 cm", "10 ±1 cm", "60 in", "60°", "R60", "⌀60", "SR60", "M60", "60 THRU", "60 ↧3",
-                           "60 (2.5 in)", "60 (61)", "(61)", "50 = 61", "6×10=61"})
+  for (const char* text :
+       {"60 cm", "10 ±1 cm", "60 in", "60°", "R60", "⌀60", "SR60", "M60", "60 THRU", "60 ↧3", "60 (2.5 in)", "60 (61)",
+        "□60", "60 H7 (60.04/60)", "59 H7 (+0.03/0)", "3 3/8 in", "(61)", "50 = 61", "6×10=61"})
     EXPECT_EQ(part.with_text(0, text, false).untrue.size(), 1U) << text;
   EXPECT_EQ(untrue(part.with_text(0, "2× 60", false)), "'2× 60': the part has 1 of these");
-  for (const char* text : {"60 (2.362 in)", "6 cm", "(60)", "60 ±0.1 mm"})
+  for (const char* text : {"60 (2.362 in)", "6 cm", "(60)", "[60]", "60 ±0.1 mm", "60 H7 (60.03/60)", "60 H7 (+0.03/0)",
+                           "59.5 +1/0", "ca. 60", "60 LONG", "2 23/64 in"})
     EXPECT_EQ(untrue(part.with_text(0, text, false)), "") << text;
 }
 
 TEST(StatedTexts, ThatNobodyUnderstandsAreTold) {
   const DimensionedPart part(sloped_block);
   EXPECT_TRUE(part.free().unjudged.empty()) << testing::PrintToString(part.free().unjudged);
-  for (const char* text : {"60-70", "6O", "sixty", "EQ SP 60", "□60", "see note"}) {
+  for (const char* text : {"60-70", "6O", "sixty", "EQ SP 60", "60x2", "60 H77", "see note"}) {
     const Said faces = part.with_text(0, text, false);
     EXPECT_EQ(untrue(faces), "") << text;
     EXPECT_EQ(faces.unjudged.size(), 1U) << text;
@@ -164,6 +166,104 @@ TEST(StatedTexts, OfCountersinksAreThoseOfTheirCone) {
     EXPECT_EQ(untrue(said(part, *own, text)), "") << text;
   for (const char* text : {"2× ⌀6 ⌵⌀12×60°", "2× ⌀6 ⌵⌀13×90°", "2× ⌀6 ⌴⌀12 ↧3", "3× ⌀6 ⌵⌀12×90°", "2× ⌀6 ↧7 ⌵⌀12×90°"})
     EXPECT_EQ(said(part, *own, text).untrue.size(), 1U) << text;
+}
+
+TEST(StatedTexts, SayTheSameInWordsOfWorkshops) {
+  const DimensionedPart blind(block_with_point(118));
+  for (const char* text : {"⌀8 Tiefe 12", "⌀8, 12 tief", "8 DIA X 12 DEEP", "Ø8 prof. 12 mm", "D8 profondità 12",
+                           "⌀8 x 12", "⌀8 H7 ↧12 ±0.2", "⌀8 SACKLOCH ↧12", "DRILL 8 DEPTH 12", "Φ8 ↧12 flat bottom"})
+    EXPECT_EQ(testing::PrintToString(said(blind, "<> ↧12", text).untrue) +
+                  testing::PrintToString(said(blind, "<> ↧12", text).unjudged),
+              "{}{}")
+        << text;
+  for (const char* text : {"⌀8 Tiefe 11", "⌀8, 13 tief", "⌀8 durch", "⌀8 débouchant", "⌀8 x 13", "⌀8 x 45°",
+                           "⌀8 passante ↧12", "⌀8 ↧12, Senkung 90° ⌀12", "⌀8 ↧12 lamage ⌀12 prof. 2"})
+    EXPECT_EQ(said(blind, "<> ↧12", text).untrue.size(), 1U) << text;
+  const DimensionedPart recess(plate({30, 30}, 2, 2, 10, stepped_hole({{5, 10}, {5, 6}, {3, 6}, {3, 0}})));
+  for (const char* text : {"4 Bohrungen ⌀6 durch, Senkung ⌀10 Tiefe 4", "4 trous ⌀6 débouchants lamage ⌀10 prof. 4",
+                           "⌀6 THRU ⌴⌀10 ↧4 4 PLACES", "⌀6 ⌴⌀10 ↧4 (4×)"})
+    EXPECT_EQ(testing::PrintToString(said(recess, "4× <> ⌴⌀10 ↧4", text).untrue) +
+                  testing::PrintToString(said(recess, "4× <> ⌴⌀10 ↧4", text).unjudged),
+              "{}{}")
+        << text;
+  for (const char* text : {"5 trous ⌀6 lamage ⌀10 prof. 4", "⌀6 ⌴⌀10 ↧4 6 PLACES", "4× ⌀6, Senkung ⌀10×90°"})
+    EXPECT_EQ(said(recess, "4× <> ⌴⌀10 ↧4", text).untrue.size(), 1U) << text;
+}
+
+// A hole of 8, 12 deep, in whatever series its thread is.
+TEST(StatedTexts, OfThreadsHaveTheirDrill) {
+  const DimensionedPart part(block_with_point(118));
+  for (const char* text :
+       {"M10 ↧9/⌀8 ↧12", "⌀8 ↧12 / M9×1 ↧10", "M9×1 - 6H x 10 deep", "3/8-16 UNC-2B ↧10", "UNC 3/8-16"})
+    EXPECT_EQ(testing::PrintToString(said(part, "<> ↧12", text).unjudged), "{}") << text;
+  for (const char* text : {"⌀8 ↧12 / M9×1 ↧10", "M9×1 - 6H x 10 deep", "M9×1 ↧9/⌀8 ↧12", "3/8-16 UNC-2B ↧10"})
+    EXPECT_EQ(untrue(said(part, "<> ↧12", text)), "") << text;
+  for (const char* text : {"M9×1 ↧9/⌀7 ↧12", "M9×1 ↧9/⌀8 ↧11", "M9×1 ↧13/⌀8 ↧12", "M10", "G1/4", "1/4-20 UNC"})
+    EXPECT_EQ(said(part, "<> ↧12", text).untrue.size(), 1U) << text;
+}
+
+TEST(StatedTexts, OfHolesOnACircleAreJudged) {
+  const DimensionedPart even(ring_with_holes({0, 90, 180, 270}, 35, 4)), uneven(ring_with_holes({10, 90, 200}, 35, 4));
+  for (const char* text : {"4× ⌀8 ON ⌀70 BC", "4× ⌀8 EQ SP ON 70 PCD", "4× ⌀8 auf Lochkreis ⌀70", "4× ⌀8 (90°)",
+                           "4× ⌀8 gleichmäßig verteilt"})
+    EXPECT_EQ(testing::PrintToString(said(even, "4× <>", text).untrue) +
+                  testing::PrintToString(said(even, "4× <>", text).unjudged),
+              "{}{}")
+        << text;
+  for (const char* text : {"4× ⌀8 ON ⌀68 BC", "5× ⌀8 ON ⌀70 BC", "4× ⌀8 (60°)"})
+    EXPECT_EQ(said(even, "4× <>", text).untrue.size(), 1U) << text;
+  EXPECT_EQ(untrue(said(uneven, "3× <>", "3× ⌀8 ON ⌀70 BC")), "");
+  EXPECT_EQ(untrue(said(uneven, "3× <>", "3× ⌀8 EQ SP ON ⌀70 BC")),
+            "'3× ⌀8 EQ SP ON ⌀70 BC': the part has no circle of ⌀70 with 3 of these at equal angles");
+}
+
+// A washer of 40 x 20 with a chamfer of 2 x 45 degrees, and a bore of 10.
+TEST(StatedTexts, OfLeadersAreThoseOfTheFacesThere) {
+  const DimensionedPart part(shaft({{0, 5}, {0, 20}, {18, 20}, {20, 18}, {20, 5}, {0, 5}}));
+  const Said free = part.free();
+  const Vec3 rim(0, 20, 0), slope(19, 19, 0), bore(20, 5, 0);
+  const auto found = [&](const char* text, const Vec3& at) {
+    const Said all = part.with_note(text, at);
+    return std::to_string(all.untrue.size() - free.untrue.size()) +
+           std::to_string(all.unjudged.size() - free.unjudged.size());
+  };
+  for (const char* text : {"⌀40×18", "⌀40 x 18 long", "⌀40 t=18"}) EXPECT_EQ(found(text, rim), "00") << text;
+  for (const char* text : {"⌀40×17", "⌀40 ↧18", "⌀38×18"}) EXPECT_EQ(found(text, rim), "10") << text;
+  for (const char* text : {"2×45°", "C2", "Fase 2×45°", "chanfrein 2 à 45°", "45°×2", "2x2"})
+    EXPECT_EQ(found(text, slope), "00") << text;
+  for (const char* text : {"3×45°", "C1", "2×30°", "2x3"}) EXPECT_EQ(found(text, slope), "10") << text;
+  for (const char* text : {"⌀10×20", "⌀10 THRU", "R5"}) EXPECT_EQ(found(text, bore), "00") << text;
+  for (const char* text : {"⌀10×19", "⌀10 ↧20", "2× R5"}) EXPECT_EQ(found(text, bore), "10") << text;
+}
+
+TEST(StatedTexts, OfNotesDefineAsThoseOfDimensions) {
+  const DimensionedPart blind(block_with_point(118));
+  const auto number_of = [](const DimensionedPart& part, const std::string& text) {
+    return static_cast<std::size_t>(std::find(part.texts.begin(), part.texts.end(), text) - part.texts.begin());
+  };
+  const std::size_t depth = number_of(blind, "<> ↧12");
+  ASSERT_LT(depth, blind.texts.size());
+  EXPECT_NE(told(blind.free_without(depth)), "");
+  EXPECT_EQ(told(blind.noted_instead(depth, "⌀8 Tiefe 12", {24, 15, 20})), "");
+  EXPECT_NE(told(blind.noted_instead(depth, "⌀8", {24, 15, 20})), "") << "its depth is missing";
+  const DimensionedPart ring(ring_with_holes({0, 90, 180, 270}, 35, 4));
+  const std::size_t holes = number_of(ring, "4× <>");
+  ASSERT_LT(holes, ring.texts.size());
+  EXPECT_NE(told(ring.free_without(holes)), "");
+  EXPECT_EQ(told(ring.said_instead(holes, "ALL HOLES ⌀8 THRU")), "");
+}
+
+TEST(StatedTexts, OfAllOfAKindAreJudged) {
+  const DimensionedPart blind(block_with_point(118)),
+      chamfered(shaft({{0, 1e-9}, {0, 20}, {18, 20}, {20, 18}, {20, 1e-9}}));
+  const auto told_of = [](const Said& faces) { return faces.untrue.empty() ? std::string() : faces.untrue.front(); };
+  EXPECT_EQ(told_of(blind.with_general("ALL HOLES THRU")), "") << "its depth is given";
+  for (const char* text : {"all holes ⌀8", "RAW EDGES BROKEN 0.3", "MATERIAL 1.4301", "ISO 2768-mK"})
+    EXPECT_EQ(told_of(blind.with_general(text)), "") << text;
+  EXPECT_EQ(told_of(blind.with_general("all fillets R2")), "'all fillets R2': the part has no fillet of R2");
+  EXPECT_EQ(told_of(blind.with_general("alle Fasen 1×45°")), "'alle Fasen 1×45°': the part has no chamfer of 1");
+  EXPECT_EQ(told_of(chamfered.with_general("ALL CHAMFERS 2×45°")), "");
+  EXPECT_EQ(told_of(chamfered.with_general("all holes through")), "'all holes through': the part has no such hole");
 }
 
 TEST(StatedTexts, CountWhatThereIs) {
