@@ -57,7 +57,7 @@ struct Side {
   double sign;          ///< of distances, to the left of the dimension line
   double outline;       ///< distance of the outline
   double cost;          ///< of the extension lines
-  bool is_through;      ///< whether these go through the part beyond what it measures, or far along it
+  bool is_through;      ///< whether these go through the part beyond a diameter, or far along what leans
 
   [[nodiscard]] double distance(int level, double text_height) const {
     return sign * (outline + first_dimension + level * dimension_step(text_height));
@@ -106,11 +106,13 @@ std::array<Side, 2> sides_of(const MeasuredLength& length, const drawing::ViewDr
     const double outline = sign > 0 ? reach.max : -reach.min;
     const double end = glm::dot(ends.to - ends.from, left_of(ends.along));
     const Vec2 way = sign * outline * left_of(ends.along);
-    // Beside what leans, as an arm, they seem to be lines of it.
+    const auto any_goes_through = [&] {
+      return goes_through_part(ends.from, ends.from + way, drawing) ||
+             goes_through_part(ends.to, ends.to + way, drawing);
+    };
+    // Far along what leans, as an arm, they seem to be lines of it.
     const bool is_along = ends.is_askew() && outline > glm::distance(ends.from, ends.to);
-    const bool is_through = ends.is_on_part && outline > on_line &&
-                            (is_along || goes_through_part(ends.from, ends.from + way, drawing) ||
-                             goes_through_part(ends.to, ends.to + way, drawing));
+    const bool is_through = outline > on_line && (ends.is_diameter ? any_goes_through() : is_along);
     const double cost = cost_of_extension * (2 * outline - sign * end) + (is_through ? 2 * cost_of_other : 0);
     return Side{ends, sign, outline, cost, is_through};
   };
@@ -176,7 +178,7 @@ void add_on_part(std::vector<ItemPlacement>& placements, const MeasuredLength& l
     placements.push_back({std::move(dimension), cost_of_crossing_it + cost});
   };
   if (size < 2 * nearest_lines) {
-    if (!is_on_ink(length.from, drawing) || !is_on_ink(length.to, drawing)) return;
+    if (length.is_diameter || !is_on_ink(length.from, drawing) || !is_on_ink(length.to, drawing)) return;
     from = size = 0;
   }
   const int count = std::max(1, static_cast<int>(size / dimension_step(style.height(text))));

@@ -191,9 +191,7 @@ MeasuredDimension aligned(const AnchoredDimension& dimension, const Sight& sight
                    "measure it in a view parallel to it");
   const Vec2 along = image / glm::length(image);
   MeasuredDimension measured = length_between(dimension, sight, along, length);
-  auto& form = std::get<MeasuredLength>(measured.form);
-  form.is_on_part = form.is_askew();
-  if (!sight.in_plane(d)) form.extension = extension_axis(sight, along);
+  if (!sight.in_plane(d)) std::get<MeasuredLength>(measured.form).extension = extension_axis(sight, along);
   return measured;
 }
 
@@ -286,7 +284,7 @@ MeasuredDimension diameter_edge_on(const AnchoredDimension& dimension, const Wor
   const Vec3 one = circle.centre - across, other = circle.centre + across;
   MeasuredLength length{sight.page(one), sight.page(other), along, left_of(along)};
   length.value = 2 * circle.radius;
-  length.is_on_part = true;
+  length.is_diameter = true;
   if (!halve(length, sight, {sight.whole_page(one), sight.whole_page(other)})) {
     expect_shown(dimension, sight, one);
     expect_shown(dimension, sight, other);

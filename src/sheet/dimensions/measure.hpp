@@ -26,9 +26,7 @@ struct MeasuredLength {
   std::optional<std::array<Vec2, 2>> opposite{};  ///< where they begin if the dimension line is above or on the left
   std::optional<bool> open{};  ///< only one end is shown, as in half views: true if `to` is where the line breaks off
   double value = 0;            ///< in the world, mm
-  /// Between lines of the outline, where it may stand instead of beside the part: the diameter of a circle seen
-  /// edge-on, and what is askew on the page.
-  bool is_on_part = false;
+  bool is_diameter = false;    ///< of a circle seen edge-on: the extension lines begin along its outline
 
   /// Whether its line is parallel to no side of the paper.
   [[nodiscard]] bool is_askew() const;
