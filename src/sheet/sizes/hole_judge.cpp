@@ -103,9 +103,8 @@ class HoleJudge {
   // Of the same radius: fillets, or what is round all around, if it is one of these.
   [[nodiscard]] std::vector<NotedRound> rounds_like(const WorldCircle& circle) const {
     std::vector<NotedRound> equal = walls_.rounds(circle.radius);
-    const auto own = std::ranges::find_if(equal, [&](const NotedRound& one) {
-      return features::distance_from_line(circle.centre, one.circle.centre, one.circle.axis) <= walls_.slack();
-    });
+    const auto own = std::ranges::find_if(
+        equal, [&](const NotedRound& one) { return one.has_centre(circle.centre, walls_.slack()); });
     if (own == equal.end()) return equal;
     const bool is_fillet = own->is_fillet(), is_whole = own->is_whole();
     std::erase_if(

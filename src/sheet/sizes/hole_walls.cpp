@@ -49,6 +49,16 @@ double distance_from_triangle(const Vec3& point, const std::array<Vec3, 3>& corn
   return is_within ? std::abs(glm::dot(point - corner[0], glm::normalize(normal))) : nearest;
 }
 
+bool is_tube(const PartFace& face, double radius) {
+  return face.surface.kind == SurfaceKind::torus && radius == face.surface.minor;
+}
+
+// A tube is that of a fillet, however far it goes about its axis; of balls, nobody knows.
+double sweep_of(const PartFace& face, double radius) {
+  if (face.surface.kind == SurfaceKind::sphere) return least_slot_end;
+  return is_tube(face, radius) ? 0 : face.sweep;
+}
+
 // Where the line through `from` along `along` meets a triangle, as a distance from there; nothing if it passes by.
 std::optional<double> meeting(const std::array<Vec3, 3>& corner, const Vec3& from, const Vec3& along, double slack) {
   const auto [u, v] = surfaces::square_to(along);
@@ -77,6 +87,12 @@ bool HoleChain::ends_at(std::size_t wall, int end) const {
   const HoleWall& next = walls[end == 0 ? wall - 1 : wall + 1];
   return next.radius[1 - side] < own[side] * (1 - definition::same_size) ||
          (next.is_cone() && next.radius[side] < next.radius[1 - side]);
+}
+
+bool NotedRound::has_centre(const Vec3& centre, double slack) const {
+  const Vec3 off = centre - circle.centre;
+  const double along = glm::dot(off, circle.axis), across = glm::length(off - along * circle.axis);
+  return std::abs(across - ring) <= slack && (ring <= 0 || std::abs(along) <= slack);
 }
 
 HoleWalls::HoleWalls(const world::World& world)
@@ -294,7 +310,9 @@ std::vector<HoleWall> HoleWalls::shafts_at(const WorldCircle& circle) const {
     if (!parts_[model]) continue;
     std::vector<int> bodies;
     for (const PartFace& face : parts_[model]->faces)
-      if (std::find(bodies.begin(), bodies.end(), face.body) == bodies.end()) bodies.push_back(face.body);
+      if (is_straight(face) && !face.inwards && are_about_one_axis(face.surface, circle, slack_) &&
+          std::find(bodies.begin(), bodies.end(), face.body) == bodies.end())
+        bodies.push_back(face.body);
     for (const int body : bodies)
       for (const HoleWall& wall : walls_about(circle, static_cast<int>(model), body, false))
         if (std::abs(wall.widest() - circle.radius) <= slack_ + wall.doubt + definition::same_size * circle.radius)
@@ -310,14 +328,14 @@ std::vector<NotedRound> HoleWalls::rounds(std::optional<double> radius) const {
     const PartFace& face = parts_[model]->faces[number];
     const double doubt = slack_ + features::radius_doubt(face) + definition::same_size * own;
     if (radius && std::abs(own - *radius) > doubt) return;
-    const bool is_along = is_straight(face);
-    const double origin = glm::dot(face.surface.origin - centre, face.surface.axis);
+    const bool is_along = face.surface.kind == SurfaceKind::cylinder;  // a rim is at one place
     NotedRound one{static_cast<int>(model),
                    static_cast<int>(number),
                    {centre, face.surface.axis, own, {}, true},
-                   face.surface.kind == SurfaceKind::sphere ? 360 : face.sweep,
+                   sweep_of(face, own),
                    face.inwards,
-                   {origin + (is_along ? face.from : 0), origin + (is_along ? face.to : 0)}};
+                   {is_along ? face.from : 0, is_along ? face.to : 0},
+                   is_tube(face, own) ? face.surface.radius : 0};
     const auto same = std::find_if(found.begin(), found.end(), [&](const NotedRound& other) {
       const double off = glm::dot(other.circle.centre - centre, one.circle.axis);
       const bool is_same_way = glm::dot(other.circle.axis, one.circle.axis) > 0;
@@ -325,7 +343,7 @@ std::vector<NotedRound> HoleWalls::rounds(std::optional<double> radius) const {
       const double high = off + (is_same_way ? other.at[1] : -other.at[0]);
       return other.model == one.model && std::abs(other.circle.radius - own) <= doubt &&
              are_about_one_axis(face.surface, other.circle, slack_) && low <= one.at[1] + slack_ &&
-             one.at[0] <= high + slack_ && is_along == is_straight(parts_[model]->faces[size_t(other.face)]);
+             one.at[0] <= high + slack_ && std::abs(other.ring - one.ring) <= doubt;
     });
     if (same == found.end())
       found.push_back(one);

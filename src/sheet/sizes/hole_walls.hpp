@@ -35,10 +35,13 @@ struct HoleWall {
 struct NotedRound {
   int model, face;
   WorldCircle circle;
-  double sweep;  ///< degrees; 360 of what has none
+  double sweep;  ///< degrees about the axis; 0 of a tube, which is a fillet however far it goes
   bool inwards;
   std::array<double, 2> at;  ///< from where to where it goes along its axis, from the centre of the circle
+  double ring;               ///< of a tube, from the axis to its middle; 0 of others
 
+  /// Whether the centre of a circle is on its axis, or in the middle of the tube.
+  [[nodiscard]] bool has_centre(const Vec3& centre, double slack) const;
   [[nodiscard]] bool is_fillet() const { return sweep < least_slot_end; }
   [[nodiscard]] bool is_whole() const { return sweep >= surfaces::whole_turn; }
 };

@@ -134,6 +134,7 @@ class TextReader {
     if (at_.take("<")) {
       const std::size_t end = at_.rest.find('>');
       at_.rest = end == std::string_view::npos ? before : at_.rest.substr(end + 1);
+      has_value_ = has_value_ || end != std::string_view::npos;
       if (end != std::string_view::npos) return true;
     }
     for (const NoteWords& one : note_words()) {
@@ -228,12 +229,13 @@ class TextReader {
     return true;
   }
 
-  // Behind its sign.
+  // Behind its sign; alone, it is the size: "t=3".
   bool take_depth(NotedRole role) {
     at_.skip_spaces();
     const std::optional<NumberText> number = at_.take_number();
     if (!number || at_.take("°")) return false;
-    NotedElement& added = add(role, NotedSign::none, *number);
+    const bool is_alone = found_.elements.empty() && !has_value_;
+    NotedElement& added = add(is_alone ? NotedRole::size : role, NotedSign::none, *number);
     if (const std::optional<double> unit = at_.take_unit()) scale(added, *unit);
     take_deviations(added);
     return true;
@@ -528,6 +530,7 @@ class TextReader {
   }
 
   NoteCursor at_;
+  bool has_value_ = false;  // "<>" stands for it
   double unit_;
   NotedText found_;
 };

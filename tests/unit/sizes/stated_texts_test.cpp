@@ -96,7 +96,7 @@ TEST(StatedTexts, SayTheKindTheUnitAndTheCount) {
     EXPECT_EQ(part.with_text(0, text, false).untrue.size(), 1U) << text;
   EXPECT_EQ(untrue(part.with_text(0, "2× 60", false)), "'2× 60': the part has 1 of these");
   for (const char* text : {"60 (2.362 in)", "6 cm", "(60)", "[60]", "60 ±0.1 mm", "60 H7 (60.03/60)", "60 H7 (+0.03/0)",
-                           "59.5 +1/0", "ca. 60", "60 LONG", "2 23/64 in"})
+                           "59.5 +1/0", "ca. 60", "60 LONG", "L=60", "Tiefe 60", "2 23/64 in"})
     EXPECT_EQ(untrue(part.with_text(0, text, false)), "") << text;
 }
 
@@ -251,6 +251,17 @@ TEST(StatedTexts, OfNotesDefineAsThoseOfDimensions) {
   ASSERT_LT(holes, ring.texts.size());
   EXPECT_NE(told(ring.free_without(holes)), "");
   EXPECT_EQ(told(ring.said_instead(holes, "ALL HOLES ⌀8 THRU")), "");
+}
+
+// A bush of 40 x 50 with two rounded edges, and a bore of their radius.
+TEST(StatedTexts, OfRadiiCountNoBores) {
+  std::vector<Vec2> profile{{0, 4}};
+  for (int i = 0; i <= k; ++i) profile.emplace_back(4 - 4 * cosine(90.0 * i / k), 16 + 4 * sine(90.0 * i / k));
+  for (int i = 0; i <= k; ++i) profile.emplace_back(46 + 4 * sine(90.0 * i / k), 16 + 4 * cosine(90.0 * i / k));
+  profile.insert(profile.end(), {{50, 4}, {0, 4}});
+  const DimensionedPart part{shaft(profile)};
+  EXPECT_EQ(untrue(said(part, "2× <>", "2× R4")), "");
+  EXPECT_EQ(untrue(said(part, "2× <>", "3× R4")), "'3× R4': the part has 2 of these");
 }
 
 TEST(StatedTexts, OfAllOfAKindAreJudged) {
