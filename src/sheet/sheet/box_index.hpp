@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <map>
 #include <span>
+#include <unordered_map>
 #include <vector>
 
 #include "sheet/boxes.hpp"
@@ -44,21 +45,21 @@ class BoxIndex {
   struct Entry {
     TurnedBox box;
     Vec2 min, max;  ///< of its bounding rectangle
-    Cell first;     ///< that of its lower left corner
     int count;      ///< in the cells if it is not 0
   };
 
   static Cell cell_at(const Vec2& place);
-  /// Calls `visit(boxes of the cell)` for the cells that the rectangle meets.
+  static int number_of(const Cell& cell);
+  /// Calls `visit(number of the cell)` for the cells that the box meets, until that returns false.
   template <class Visit>
-  void visit_cells_of(const Entry& entry, const Visit& visit);
+  static void visit_cells_of(const TurnedBox& box, const Visit& visit);
   /// Calls `visit(entry)` once for each box whose rectangle meets that of this one, until that returns false.
   template <class Visit>
   void visit_near(const TurnedBox& box, const Visit& visit) const;
 
   std::vector<Entry> entries_;
   std::map<std::array<double, 6>, std::size_t> known_;
-  std::map<Cell, std::vector<std::size_t>> cells_;
+  std::unordered_map<int, std::vector<std::size_t>> cells_;  ///< by number_of
 };
 
 }  // namespace epura::sheet
