@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
+#include "annotations/blank_paper.hpp"
 #include "annotations/callouts.hpp"
 #include "base/error.hpp"
 #include "dimensions/costs.hpp"
@@ -29,6 +30,7 @@ struct BalloonSizes {
 struct BalloonPlace {
   Vec2 centre;
   int ring;
+  bool is_between = false;  ///< the parts of the view
 };
 
 // Around the view, ring by ring, counterclockwise.
@@ -52,6 +54,22 @@ std::vector<BalloonPlace> places_around(const Rectangle& view, double radius) {
   }
   check(places.size() >= std::size_t{4} * rings, "balloons have places on all sides of a view");
   return places;
+}
+
+// On blank paper of the view itself, between its parts, where the border of the view is farther away.
+void add_places_between(std::vector<BalloonPlace>& places, const Vec2& target, const drawing::ViewDrawing& view,
+                        const BlankPaper& blank, const BalloonSizes& sizes) {
+  const double reach = inside_by(target, view) + first_ring + sizes.radius;
+  const Vec2 first = glm::floor((target - reach - view.box.min) / ring_step),
+             last = glm::ceil((target + reach - view.box.min) / ring_step);
+  for (double x = first.x; x <= last.x; ++x)
+    for (double y = first.y; y <= last.y; ++y) {
+      const Vec2 centre = view.box.min + ring_step * Vec2(x, y);
+      const Rectangle box = Rectangle{centre, centre}.grown(sizes.radius + sizes.apart);
+      if (glm::distance(centre, target) < reach && Rectangle{view.box.min, view.box.max}.overlaps(box) &&
+          blank.holds(box))
+        places.push_back({centre, 0, true});
+    }
 }
 
 // Beside a box, ring by ring, in its directions; at each end, one is in the middle.
@@ -91,39 +109,47 @@ PlacedDimension drawn(const BalloonTarget& target, const BalloonPlace& place, co
   const double length = glm::length(leader);
   if ((target.beside && place.ring == 0) || length <= sizes.radius + at_target) return placed;
   const auto at = [&](double distance) { return place.centre + distance / length * leader; };
-  placed.leaders = {{at(length - at_target), at(sizes.radius)}};
+  placed.leaders = {{at(length - at_target), at(sizes.radius), at_target}};
   placed.lines = {line_box(placed.leaders.front().tip, placed.leaders.front().elbow)};
   return placed;
 }
 
-// Leaders are oblique (ISO 128-2). Beside a text, its end is best.
-double cost_of(const BalloonTarget& target, const BalloonPlace& place) {
+// Leaders are oblique (ISO 128-2), and go over no other parts. Beside a text, its end is best.
+double cost_of(const BalloonTarget& target, const BalloonPlace& place, const BlankPaper& blank) {
   constexpr double for_ring = 6, for_upright = 8;
   const double rings_out = for_ring * place.ring;
   if (const auto& box = target.beside)
     return cost_of_way * glm::length(place.centre - (box->centre + box->half.x * box->along)) + rings_out;
   const Vec2 leader = place.centre - target.point;
   const double least = std::min(std::abs(leader.x), std::abs(leader.y));
-  return cost_of_way * glm::length(leader) + rings_out + (least < 0.18 * glm::length(leader) ? for_upright : 0);
+  return cost_of_way * glm::length(leader) + rings_out + (least < 0.18 * glm::length(leader) ? for_upright : 0) +
+         (place.is_between ? cost_in_view : 0) + cost_of_other * blank.entries(target.point, place.centre);
 }
 
-// Those near the border of the view first: their leaders are short and leave the others ways between them.
 PlacementItem item_of(const BalloonTarget& target, const drawing::ViewDrawing& view, const BalloonSizes& sizes,
-                      const std::vector<Rectangle>& hatched) {
+                      const BlankPaper& blank) {
   PlacementItem item;
   item.usual = [&](const PlacedDimension*) {
+    std::vector<BalloonPlace> places = target.beside ? places_beside(*target.beside, sizes)
+                                                     : places_around({view.box.min, view.box.max}, sizes.radius);
+    if (!target.beside) add_places_between(places, target.point, view, blank, sizes);
+    const std::vector<Rectangle> hatched = hatched_boxes(view);
     std::vector<ItemPlacement> placements;
-    for (const BalloonPlace& place : target.beside ? places_beside(*target.beside, sizes)
-                                                   : places_around({view.box.min, view.box.max}, sizes.radius)) {
+    for (const BalloonPlace& place : places) {
       const Rectangle box = Rectangle{place.centre, place.centre}.grown(sizes.radius + sizes.apart);
       if (std::none_of(hatched.begin(), hatched.end(), [&](const Rectangle& one) { return one.overlaps(box); }))
         placements.push_back(
-            {{}, cost_of(target, place), [=, &target, &sizes] { return drawn(target, place, sizes); }});
+            {[=, &target, &sizes] { return drawn(target, place, sizes); }, cost_of(target, place, blank)});
     }
     return placements;
   };
-  const Vec2 inside = glm::min(target.point - view.box.min, view.box.max - target.point);
-  item.order = {std::min(inside.x, inside.y), 0, 0};
+  if (!target.beside)
+    item.instead = [&](const PlacedDimension& other) {
+      const bool is_between = around(other.zones.front()).overlaps({view.box.min, view.box.max});
+      const BalloonPlace place{other.zones.front().centre, 0, is_between};
+      return std::optional(ItemPlacement(drawn(target, place, sizes), cost_of(target, place, blank)));
+    };
+  item.order = {inside_by(target.point, view), 0, 0};
   item.rank = ItemRank::required;
   item.is_clear = true;
   check(sizes.radius > 0 && sizes.apart > 0, "balloons take up room");
@@ -165,9 +191,9 @@ std::vector<std::string> place_balloons(Layer& layer, std::span<const BalloonTar
                                         const drawing::ViewDrawing& view, const DimensionStyle& style,
                                         const Neighbours& neighbours) {
   const BalloonSizes sizes = sizes_of(targets, style);
-  const std::vector<Rectangle> hatched = hatched_boxes(view);
+  const BlankPaper blank(view);
   std::vector<PlacementItem> items;
-  for (const BalloonTarget& target : targets) items.push_back(item_of(target, view, sizes, hatched));
+  for (const BalloonTarget& target : targets) items.push_back(item_of(target, view, sizes, blank));
   const PlacedDimensions placed = place_items(items, {view, neighbours});
   std::vector<std::string> left_out;
   for (std::size_t i = 0; i < targets.size(); ++i) {

@@ -48,10 +48,13 @@ constexpr std::array<LeaderDirection, 16> oblique{{{60, 0},
                                                    {285, 3.5},
                                                    {255, 3.5}}};
 
+/// Others are for crowds; flatter and steeper ones look like lines of the drawing.
+constexpr int flattest = 10, direction_step = 5;  // degrees
+constexpr double for_other = 4;
+
 /// A way of leaders to a callout, of any length.
 struct Way {
-  CalloutTarget target;
-  Vec2 along;
+  Vec2 tip, along;
   double cost = 0;
   std::optional<Vec2> via{};  ///< where it begins after a part along the normal
   bool to_right = false;      ///< the side of its end on which the callout is
@@ -75,7 +78,7 @@ Spot spot_at(const Callout& callout, const Way& way, const Vec2& bend) {
   const Vec2 end = bend + (is_text ? size.x : way.landing) * out;
   Vec2 corner = (is_text ? bend : end) - Vec2(way.to_right ? 0 : size.x, is_text ? 0 : callout.attach);
   if (way.is_centred) corner = bend - Vec2(size.x / 2, way.along.y > 0 ? 0 : size.y);
-  Spot spot{{corner, corner + size}, {way.target.point}};
+  Spot spot{{corner, corner + size}, {way.tip}};
   if (way.via) spot.leader.push_back(*way.via);
   spot.leader.push_back(bend);
   if (!way.is_centred) spot.leader.push_back(end);
@@ -88,8 +91,7 @@ class Ways {
   Ways(const Callout& callout, const CalloutTarget& target, double text_height)
       : form_(callout.form), target_(target), text_height_(text_height) {}
 
-  std::vector<Way> all() && {
-    constexpr double for_inside = 12, for_oblique = 6;
+  std::vector<Way> usual() && {
     const std::optional<Vec2>& normal = target_.normal;
     const bool is_text = form_ == LeaderForm::reference, is_datum = form_ == LeaderForm::datum;
     if (normal && !is_text) {
@@ -98,15 +100,18 @@ class Ways {
     }
     if (normal && is_datum) add_bent_datums();
     if (normal && target_.in_line && !is_datum) add_bent_in_line();
-    if (is_datum || target_.in_line) return std::move(ways_);
-    for (const LeaderDirection& direction : oblique) {
-      const Vec2 along = turned_to(direction.degrees * std::numbers::pi / 180);
-      const double weight = is_text ? for_oblique : cost_of_slant;
-      const double slant = normal ? weight * (1 - std::abs(glm::dot(along, *normal))) : 0;
-      const bool is_inside = normal && target_.is_border && glm::dot(along, *normal) < 0.05;
-      add(along, direction.cost + slant + (is_inside ? for_inside : 0) + (normal && !is_text ? for_oblique : 0));
-    }
+    if ((is_datum && !target_.rim) || target_.in_line) return std::move(ways_);
+    for (const LeaderDirection& direction : oblique) add_oblique(direction);
     check(!ways_.empty(), "frames and texts may be anywhere");
+    return std::move(ways_);
+  }
+  std::vector<Way> in_crowd() && {
+    if (form_ == LeaderForm::datum || target_.in_line) return {};
+    for (int degrees = 0; degrees < 360; degrees += direction_step) {
+      const int off_axis = std::min(degrees % 90, 90 - degrees % 90);
+      if (off_axis >= flattest && std::ranges::find(oblique, degrees, &LeaderDirection::degrees) == oblique.end())
+        add_oblique({degrees, for_other});
+    }
     return std::move(ways_);
   }
 
@@ -115,9 +120,20 @@ class Ways {
     const bool is_text = form_ == LeaderForm::reference;
     const double landing = is_level(along) && !is_text ? 0 : text_height_;
     const bool is_centred = form_ == LeaderForm::datum && !via && is_upright(along);
+    const Vec2 tip = target_.rim ? target_.rim->towards(along) : target_.point;
     for (const bool to_right : {true, false})
       if (is_upright(along) ? to_right || !is_centred : to_right == (along.x > 0))
-        ways_.push_back({target_, along, cost, via, to_right, is_centred, landing});
+        ways_.push_back({tip, along, cost, via, to_right, is_centred, landing});
+  }
+  void add_oblique(const LeaderDirection& direction) {
+    constexpr double for_inside = 12, for_oblique = 6;
+    const std::optional<Vec2>& normal = target_.normal;
+    const bool is_text = form_ == LeaderForm::reference;
+    const Vec2 along = turned_to(direction.degrees * std::numbers::pi / 180);
+    const double weight = is_text ? for_oblique : cost_of_slant;
+    const double slant = normal ? weight * (1 - std::abs(glm::dot(along, *normal))) : 0;
+    const bool is_inside = normal && target_.is_border && glm::dot(along, *normal) < 0.05;
+    add(along, direction.cost + slant + (is_inside ? for_inside : 0) + (normal && !is_text ? for_oblique : 0));
   }
   // Where a perpendicular leader would cross lettering, that of a datum bends at the tip of its triangle.
   void add_bent_datums() {
@@ -156,27 +172,42 @@ PlacedDimension drawn(const Spot& spot, const Callout& callout, const CalloutTar
     const Vec2 &from = spot.leader[i - 1], &to = spot.leader[i];
     const double length = glm::distance(from, to), free = i > 1 ? 0 : target.in_line ? shortest_leader : at_target;
     if (length <= free) continue;
-    placed.leaders.push_back({from + free / length * (to - from), to});
+    placed.leaders.push_back({from + free / length * (to - from), to, free});
     placed.lines.push_back(line_box(placed.leaders.back().tip, to));
   }
   return placed;
 }
 
-// At a given position, from the side whose leader does not cross the callout, or the nearer one.
-ItemPlacement given_placement(const Callout& callout, double landing) {
-  const Rectangle box = box_at(callout, *callout.at);
+Rectangle box_of(const PlacedDimension& placed) {
+  const std::vector<Vec2>& outline = placed.strokes.back().points;
+  return {outline[0], outline[2]};
+}
+
+// The way from its target to a box in which it stands, from the left or right.
+Way way_to(const Rectangle& box, bool to_right, const Callout& callout, double landing) {
+  const CalloutTarget& target = *callout.target;
   const bool is_text = callout.form == LeaderForm::reference;
-  const double y = box.min.y + (is_text ? 0 : callout.attach), away = is_text ? 0 : landing;
+  const double away = is_text ? 0 : landing;
+  const Vec2 bend(to_right ? box.min.x - away : box.max.x + away, box.min.y + (is_text ? 0 : callout.attach));
+  const Vec2 tip = target.rim ? target.rim->towards(glm::normalize(bend - target.rim->centre)) : target.point;
+  return {tip, bend - tip, 0, std::nullopt, to_right, false, landing};
+}
+
+// In a box, from the side whose leader does not cross the callout, or the nearer one.
+struct SpotInBox {
+  Spot spot;
+  bool crosses;  ///< whether the leader does
+  double length;
+};
+SpotInBox spot_in(const Rectangle& box, const Callout& callout, double landing) {
   const auto from = [&](bool to_right) {
-    const Way way{*callout.target, {to_right ? 1 : -1, 0}, 0, std::nullopt, to_right, false, landing};
-    return spot_at(callout, way, {to_right ? box.min.x - away : box.max.x + away, y});
+    const Way way = way_to(box, to_right, callout, landing);
+    const Spot spot = spot_at(callout, way, way.tip + way.along);
+    return SpotInBox{spot, overlap(line_box(spot.leader[0], spot.leader[1]), turned_box(box)), glm::length(way.along)};
   };
-  const auto rank = [&](const Spot& spot) {
-    const bool crosses = overlap(line_box(spot.leader[0], spot.leader[1]), turned_box(box));
-    return std::pair(crosses, glm::length(spot.leader[0] - spot.leader[1]));
-  };
-  const Spot right = from(true), left = from(false);
-  return {drawn(rank(left) < rank(right) ? left : right, callout, *callout.target), 0};
+  const auto rank = [](const SpotInBox& one) { return std::pair(one.crosses, one.length); };
+  const SpotInBox right = from(true), left = from(false);
+  return rank(left) < rank(right) ? left : right;
 }
 
 // Ends of a dimension line, with which a callout is in line. Where arrows are outside, one makes room.
@@ -199,29 +230,50 @@ std::vector<CalloutTarget> targets_of(const Callout& callout, const std::vector<
 
 // Not on hatching, and outside the view if possible.
 std::vector<ItemPlacement> placements_of(const Callout& callout, const std::vector<CalloutTarget>& targets,
-                                         const drawing::ViewDrawing& view, const DimensionStyle& style) {
+                                         std::vector<Way> (Ways::*ways)() &&, const drawing::ViewDrawing& view,
+                                         const DimensionStyle& style) {
   const std::vector<Rectangle> hatched = hatched_boxes(view);
   const Rectangle whole{view.box.min, view.box.max};
   std::vector<ItemPlacement> placements;
+  std::size_t number = 0;
   for (const CalloutTarget& target : targets)
-    for (const Way& way : Ways(callout, target, style.text).all())
+    for (const Way& way : (Ways(callout, target, style.text).*ways)()) {
       for (double length = shortest_leader; length <= longest; length += leader_step) {
-        const Spot spot = spot_at(callout, way, way.via.value_or(target.point) + length * way.along);
-        const auto is_on = [&](const Rectangle& one) { return one.overlaps(spot.box.grown(callout_clearance)); };
+        const Vec2 bend = way.via.value_or(way.tip) + length * way.along;
+        const Rectangle box = spot_at(callout, way, bend).box;
+        const auto is_on = [&](const Rectangle& one) { return one.overlaps(box.grown(callout_clearance)); };
         if (std::any_of(hatched.begin(), hatched.end(), is_on)) continue;
-        check(spot.leader.front() == target.point, "a leader begins at its target");
-        const double cost = way.cost + cost_of_way * length + (spot.box.overlaps(whole) ? cost_in_view : 0);
-        placements.push_back({{}, cost, [=, &callout] { return drawn(spot, callout, target); }});
+        const double cost = way.cost + cost_of_way * length + (box.overlaps(whole) ? cost_in_view : 0);
+        check(cost >= 0, "a longer leader is no better");
+        placements.push_back(
+            {[=, &callout] { return drawn(spot_at(callout, way, bend), callout, target); }, cost, number});
       }
+      ++number;
+    }
   return placements;
 }
 
+// Where another one stands, at the side of that box on which its target is.
+std::optional<ItemPlacement> placement_instead(const Callout& callout, const PlacedDimension& other,
+                                               const drawing::ViewDrawing& view, const DimensionStyle& style) {
+  const Rectangle there = box_of(other);
+  const bool at_left = callout.target->point.x < there.centre().x;
+  const Vec2 corner(at_left ? there.min.x : there.max.x - callout.size.x, there.min.y);
+  const Rectangle box{corner, corner + callout.size};
+  const SpotInBox in_box = spot_in(box, callout, style.text);
+  if (in_box.crosses) return std::nullopt;
+  const double cost =
+      for_other + cost_of_way * in_box.length + (box.overlaps({view.box.min, view.box.max}) ? cost_in_view : 0);
+  return ItemPlacement(drawn(in_box.spot, callout, *callout.target), cost);
+}
+
 // A triangle on a line, on the side of its leader. ISO 5459.
-Fill datum_triangle(const CalloutTarget& target, const Vec2& leader, const DimensionStyle& style) {
-  const Vec2 normal = target.normal.value_or(leader);
+Fill datum_triangle(const Vec2& tip, const std::optional<Vec2>& line_normal, const Vec2& leader,
+                    const DimensionStyle& style) {
+  const Vec2 normal = line_normal.value_or(leader);
   const Vec2 along = glm::dot(normal, leader) < 0 ? -normal : normal;
   const Vec2 across = style.text / 2 * left_of(along);
-  return {{{target.point + across, target.point - across, target.point + triangle * style.text * along}}};
+  return {{{tip + across, tip - across, tip + triangle * style.text * along}}};
 }
 
 // Before the callout is drawn. A callout without lines of its own is a text; its leader has it.
@@ -238,17 +290,12 @@ LeaderObject leader_object(const Layer& notes, const Callout& callout, const Rec
   return object;
 }
 
-Rectangle box_of(const PlacedDimension& placed) {
-  const std::vector<Vec2>& outline = placed.strokes.back().points;
-  return {outline[0], outline[2]};
-}
-
 void draw_callout(CalloutLayers& layers, const Callout& callout, const CalloutTarget& target,
                   const PlacedDimension& placed, const DimensionStyle& style) {
   const Rectangle box = box_of(placed);
   const std::vector<Vec2>& way = placed.strokes.front().points;
   const std::size_t fills = layers.notes.fills.size();
-  const Vec2 along = glm::normalize(way[1] - target.point);
+  const Vec2 &tip = way.front(), along = glm::normalize(way[1] - tip);
   Stroke& leader = layers.notes.strokes.emplace_back();
   for (const Vec2& p : way)
     if (leader.points.empty() || leader.points.back() != p) leader.points.push_back(p);
@@ -256,11 +303,11 @@ void draw_callout(CalloutLayers& layers, const Callout& callout, const CalloutTa
   constexpr double around = 0.5;  // heights of capitals. ISO 1101
   if (callout.all_around) layers.symbols.strokes.push_back(circle_at(way[1], around * style.text));
   if (callout.form == LeaderForm::datum)
-    layers.notes.fills.push_back(datum_triangle(target, along, style));
+    layers.notes.fills.push_back(datum_triangle(tip, target.normal, along, style));
   else if (target.end == LeaderEnd::arrow)
-    layers.notes.fills.push_back(arrow_at(target.point, -along, style));
+    layers.notes.fills.push_back(arrow_at(tip, -along, style));
   else if (target.end == LeaderEnd::dot)
-    layers.notes.fills.push_back(dot_at(target.point));
+    layers.notes.fills.push_back(dot_at(tip));
   if (callout.form != LeaderForm::datum) {
     LeaderObject object = leader_object(layers.notes, callout, box, target.end, style);
     object.strokes = {layers.notes.strokes.size() - 1, layers.notes.strokes.size()};
@@ -399,14 +446,19 @@ std::vector<Rectangle> hatched_boxes(const drawing::ViewDrawing& drawing) {
   return boxes;
 }
 
+double inside_by(const Vec2& point, const drawing::ViewDrawing& view) {
+  const Vec2 inside = glm::min(point - view.box.min, view.box.max - point);
+  return std::min(inside.x, inside.y);
+}
+
 double callout_room(double height) { return shortest_leader + height + callout_clearance; }
 
 namespace {
 
 // Those with the least choice first.
-std::array<double, 3> order_of(const Callout& callout) {
+std::array<double, 2> order_of(const Callout& callout) {
   constexpr std::array<LeaderForm, 3> forms{LeaderForm::datum, LeaderForm::landing, LeaderForm::reference};
-  return {callout.at ? 0.0 : 2.0, static_cast<double>(std::ranges::find(forms, callout.form) - forms.begin()), 0};
+  return {callout.at ? 0.0 : 2.0, static_cast<double>(std::ranges::find(forms, callout.form) - forms.begin())};
 }
 
 }  // namespace
@@ -417,10 +469,21 @@ std::vector<ItemBeside> callout_items(std::span<const Callout> callouts, const d
   for (const Callout& callout : callouts) {
     PlacementItem item;
     item.usual = [&](const PlacedDimension* host) {
-      if (callout.at) return std::vector<ItemPlacement>{given_placement(callout, style.text)};
-      return placements_of(callout, targets_of(callout, host ? host->ends : std::vector<DimensionEnd>()), view, style);
+      if (callout.at)
+        return std::vector<ItemPlacement>{
+            {drawn(spot_in(box_at(callout, *callout.at), callout, style.text).spot, callout, *callout.target), 0}};
+      return placements_of(callout, targets_of(callout, host ? host->ends : std::vector<DimensionEnd>()), &Ways::usual,
+                           view, style);
     };
-    item.order = order_of(callout);
+    if (callout.target && !callout.at && callout.others.empty() && callout.form != LeaderForm::datum)
+      item.instead = [&](const PlacedDimension& other) { return placement_instead(callout, other, view, style); };
+    if (callout.target && !callout.at)
+      item.in_crowd = [&](const PlacedDimension*) {
+        return placements_of(callout, targets_of(callout, {}), &Ways::in_crowd, view, style);
+      };
+    const auto [given, form] = order_of(callout);
+    const bool is_text = callout.form == LeaderForm::reference;  // many stand close to each other
+    item.order = {given, form, is_text && callout.target ? inside_by(callout.target->point, view) : 0};
     item.rank = callout.at ? ItemRank::drawn : ItemRank::required;
     item.is_clear = !callout.at;
     if (callout.target && callout.others.empty())
@@ -448,8 +511,7 @@ CalloutFaults draw_callouts(CalloutLayers& layers, std::span<const Callout> call
   CalloutFaults faults;
   std::vector<std::size_t> order(callouts.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return order_of(callouts[a]) < order_of(callouts[b]); });
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return order_of(callouts[i]); });
   for (const std::size_t i : order) {
     const Callout& callout = callouts[i];
     const std::optional<PlacedDimension>& one = placed.beside[i];
@@ -460,7 +522,9 @@ CalloutFaults draw_callouts(CalloutLayers& layers, std::span<const Callout> call
     const auto host = placed.ends.find(callout.dimension);
     const std::vector<CalloutTarget> targets =
         targets_of(callout, host != placed.ends.end() ? host->second : std::vector<DimensionEnd>());
-    const auto target = std::ranges::find(targets, one->strokes.front().points.front(), &CalloutTarget::point);
+    const Vec2& tip = one->strokes.front().points.front();
+    const auto target = std::ranges::find_if(
+        targets, [&tip](const CalloutTarget& of) { return of.rim.has_value() || of.point == tip; });
     check(target != targets.end(), "a leader begins at its target");
     draw_callout(layers, callout, *target, *one, style);
     faults.places.emplace_back(i, turned_box(box_of(*one)));

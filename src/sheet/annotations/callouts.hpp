@@ -16,13 +16,25 @@
 
 namespace epura::sheet {
 
+/// The rim of a hole as a view shows it: an ellipse with two conjugate radii, mm.
+struct RimOnPaper {
+  Vec2 centre, u, v;
+
+  /// Its point in a direction from the centre.
+  [[nodiscard]] Vec2 towards(const Vec2& along) const {
+    const Vec2 part = Vec2(cross(along, v), cross(u, along)) / cross(u, v);
+    return centre + along / glm::length(part);
+  }
+};
+
 /// Where a leader ends.
 struct CalloutTarget {
-  Vec2 point;                     ///< on paper
-  LeaderEnd end{LeaderEnd::dot};  ///< not automatic
-  std::optional<Vec2> normal{};   ///< of the line there; length 1
-  bool is_border = false;         ///< leaders come from the side of the normal: from outside
-  bool in_line = false;           ///< leaders run along the normal: in line with a dimension line
+  Vec2 point;                       ///< on paper
+  LeaderEnd end{LeaderEnd::dot};    ///< not automatic
+  std::optional<Vec2> normal{};     ///< of the line there; length 1
+  bool is_border = false;           ///< leaders come from the side of the normal: from outside
+  bool in_line = false;             ///< leaders run along the normal: in line with a dimension line
+  std::optional<RimOnPaper> rim{};  ///< leaders end where they come to it, on their way to its centre
 };
 
 /// How a leader reaches a callout: as a reference line below it; by a short horizontal line beside it; or from the
@@ -71,6 +83,10 @@ void draw_at(CalloutLayers& layers, const Callout& callout, const Vec2& upper_le
 
 /// Boxes of the outlines of cut faces, on whose hatching nothing stands.
 std::vector<Rectangle> hatched_boxes(const drawing::ViewDrawing& drawing);
+
+/// How far a point is from the border of a view, mm: items with leaders are placed in this order, since those of the
+/// first ones are short and leave the others ways between them.
+double inside_by(const Vec2& point, const drawing::ViewDrawing& view);
 
 /// Room beside a view for callouts of this height, mm.
 double callout_room(double height);

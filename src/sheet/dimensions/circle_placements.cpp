@@ -64,11 +64,11 @@ void add_across(std::vector<ItemPlacement>& placements, const MeasuredCircle& ci
   const MeasuredLength length{circle.centre - spoke, circle.centre + spoke, along, left_of(along)};
   if (!fits_inside(length, text, style)) return;
   for (int place = 0; place < text_places; ++place) {
-    placements.push_back(
-        {straight_dimension(length, text, 0, place, style), cost_of_crossing_it + slope_cost(angle) + 0.1 * place});
+    PlacedDimension dimension = straight_dimension(length, text, 0, place, style);
     DimensionObject object{DimensionShape::diameter, {length.to, length.from}};
     object.value = circle.value;
-    placements.back().dimension.objects = {std::move(object)};
+    dimension.objects = {std::move(object)};
+    placements.push_back({std::move(dimension), cost_of_crossing_it + slope_cost(angle) + 0.1 * place});
   }
 }
 
@@ -110,9 +110,8 @@ std::vector<ItemPlacement> placements_of(const MeasuredCircle& circle, const Mea
     const auto add = [&](double length, double cost) {
       for (const bool turned : {false, true})
         if (!turned || (length > 0 && !measured.offset && std::abs(direction.x) < steep))
-          placements.push_back({{},
-                                cost + slope_cost(angle) + (turned ? cost_of_turn : 0),
-                                drawn_when_looked_at({direction, length, turned}, circle, measured.text, style)});
+          placements.push_back({drawn_when_looked_at({direction, length, turned}, circle, measured.text, style),
+                                cost + slope_cost(angle) + (turned ? cost_of_turn : 0)});
     };
     if (measured.offset) {
       add(*measured.offset, 0);
@@ -149,7 +148,7 @@ std::vector<ItemPlacement> placements_in_crowd(const MeasuredCircle& circle, con
       const double length = shortest_leader_of_circle + longer_leader * k;
       const double cost = cost_of_length * length + slope_cost(angle);
       const auto add = [&](const Leader& leader, double more) {
-        placements.push_back({{}, cost + more, drawn_when_looked_at(leader, circle, measured.text, style)});
+        placements.push_back({drawn_when_looked_at(leader, circle, measured.text, style), cost + more});
       };
       add({direction, length}, 0);
       if (std::abs(direction.x) < steep) add({direction, length, true}, cost_of_turn);

@@ -255,10 +255,10 @@ std::vector<ItemPlacement> placements_in_crowd(const MeasuredLength& length, con
         for (const double slope : {1.0, 2.0}) {
           const Vec2 direction = glm::normalize(towards * length.along + slope * out);
           for (int i = 1; i <= max_of_leader; ++i) {
-            ItemPlacement placement{
-                straight_dimension_with_leader(side.ends, measured.text, distance, step_beside * i * direction, style),
-                cost + cost_of_leader + cost_of_farther * step_beside * i};
-            if (!is_on_own_line(placement.dimension)) placements.push_back(std::move(placement));
+            PlacedDimension there =
+                straight_dimension_with_leader(side.ends, measured.text, distance, step_beside * i * direction, style);
+            if (!is_on_own_line(there))
+              placements.push_back({std::move(there), cost + cost_of_leader + cost_of_farther * step_beside * i});
           }
         }
       }

@@ -26,6 +26,18 @@ std::vector<TurnedBox> boxes_of_leaders(const PlacedDimension& dimension) {
   return boxes;
 }
 
+// Where leaders end: others that come there seem to be one with them.
+TurnedBox arrow_of(const LeaderLine& leader) {
+  const Vec2 end = leader.tip + leader.before * glm::normalize(leader.tip - leader.elbow);
+  return turned_box(Rectangle{end, end}.grown(nearest_lines / 2));
+}
+
+std::vector<TurnedBox> arrows_of(const PlacedDimension& dimension) {
+  std::vector<TurnedBox> boxes;
+  for (const LeaderLine& leader : dimension.leaders) boxes.push_back(arrow_of(leader));
+  return boxes;
+}
+
 }  // namespace
 
 std::vector<Disc> discs_of(const drawing::ViewDrawing& drawing) {
@@ -62,13 +74,15 @@ Obstacles::Obstacles(const drawing::ViewDrawing& drawing, const Neighbours& neig
       other_texts_(neighbours.texts),
       other_zones_(neighbours.zones),
       ink_(drawing),
-      discs_(discs_of(drawing)) {}
+      discs_(discs_of(drawing)),
+      hatched_(drawing) {}
 
 void Obstacles::add(const PlacedDimension& item) {
   zones_.add(item.zones);
   texts_.add(item.text_boxes);
   lines_.add(item.lines);
   leaders_.add(boxes_of_leaders(item));
+  arrows_.add(arrows_of(item));
 }
 
 void Obstacles::remove(const PlacedDimension& item) {
@@ -76,44 +90,62 @@ void Obstacles::remove(const PlacedDimension& item) {
   texts_.remove(item.text_boxes);
   lines_.remove(item.lines);
   leaders_.remove(boxes_of_leaders(item));
+  arrows_.remove(arrows_of(item));
 }
 
 double Obstacles::cost_of_leader(const LeaderLine& leader) const {
   const auto through =
-      std::count_if(discs_.begin(), discs_.end(), [&leader](const Disc& disc) { return goes_through(leader, disc); });
+      std::count_if(discs_.begin(), discs_.end(), [&leader](const Disc& disc) { return goes_through(leader, disc); }) +
+      hatched_.on_way(leader.tip, leader.elbow);
   const TurnedBox line = line_box(leader.tip, leader.elbow);
   const BoxIndex::LinesBeside others = others_.beside(line, on_line, nearest_lines),
                               own = lines_.beside(line, on_line, nearest_lines);
   return cost_of_other * static_cast<double>(through + others.on_it + others.near + own.on_it + zones_.overlaps(line) +
                                              other_zones_.overlaps(line)) +
-         cost_of_letter * leaders_.overlaps(line) + cost_of_text * zones_.along(line);
+         cost_of_letter * (leaders_.overlaps(line) + leaders_.overlaps(arrow_of(leader)) + arrows_.overlaps(line)) +
+         cost_of_text * zones_.along(line);
+}
+
+namespace {
+
+// What so many overlaps cost is computed no further once the sum exceeds `max`: above it whatever the rounding, for all
+// but the ink is a sum of whole numbers, and a tie is computed to its end.
+void add_overlaps(double& cost, double max, double each, const TurnedBox& box,
+                  std::initializer_list<const BoxIndex*> indices) {
+  for (const BoxIndex* index : indices)
+    if (cost <= max) cost += each * index->overlaps(box, (max - cost) / each);
+}
+
+}  // namespace
+
+double Obstacles::cost_of_line(const TurnedBox& line, double max) const {
+  double cost = 0;
+  add_overlaps(cost, max, cost_of_zone, line, {&views_});
+  add_overlaps(cost, max, cost_of_text, line, {&texts_, &other_texts_});
+  add_overlaps(cost, max, cost_of_letter, line, {&letters_});
+  if (cost <= max) cost += cost_of_letter * lines_.beside(line, on_line, nearest_lines).near;
+  add_overlaps(cost, max, cost_of_other, line, {&others_});
+  add_overlaps(cost, max, cost_of_crossing, line, {&zones_, &others_, &other_zones_});
+  return cost;
+}
+
+double Obstacles::cost_of_way(const LeaderLine& leader) const {
+  return cost_of_line(line_box(leader.tip, leader.elbow), HUGE_VAL) + cost_of_leader(leader);
 }
 
 double Obstacles::cost(const PlacedDimension& item, double max) const {
-  // Above `max` whatever the rounding: all but the ink is a sum of whole numbers, and a tie is computed to its end.
   double cost = 0;
   // Rows have hundreds of boxes, and in a crowd each meets hundreds of others.
   const auto add_all = [&](const std::vector<TurnedBox>& boxes, const auto& add) {
     for (auto box = boxes.begin(); box != boxes.end() && cost <= max; ++box) add(*box);
   };
-  const auto add_overlaps = [&](double each, const TurnedBox& box, std::initializer_list<const BoxIndex*> indices) {
-    for (const BoxIndex* index : indices)
-      if (cost <= max) cost += each * index->overlaps(box, (max - cost) / each);
-  };
-  add_all(item.text_boxes, [&](const TurnedBox& text) { add_overlaps(cost_of_text, text, {&lines_}); });
+  add_all(item.text_boxes, [&](const TurnedBox& text) { add_overlaps(cost, max, cost_of_text, text, {&lines_}); });
   add_all(item.zones, [&](const TurnedBox& zone) {
     if (paper_ && !paper_->holds(around(zone))) cost += cost_of_zone;
-    add_overlaps(cost_of_zone, zone, {&zones_, &others_, &other_zones_});
-    add_overlaps(cost_of_crossing, zone, {&lines_});
+    add_overlaps(cost, max, cost_of_zone, zone, {&zones_, &others_, &other_zones_});
+    add_overlaps(cost, max, cost_of_crossing, zone, {&lines_});
   });
-  add_all(item.lines, [&](const TurnedBox& line) {
-    add_overlaps(cost_of_zone, line, {&views_});
-    add_overlaps(cost_of_text, line, {&texts_, &other_texts_});
-    add_overlaps(cost_of_letter, line, {&letters_});
-    if (cost <= max) cost += cost_of_letter * lines_.beside(line, on_line, nearest_lines).near;
-    add_overlaps(cost_of_other, line, {&others_});
-    add_overlaps(cost_of_crossing, line, {&zones_, &others_, &other_zones_});
-  });
+  add_all(item.lines, [&](const TurnedBox& line) { cost += cost_of_line(line, max - cost); });
   for (const LeaderLine& leader : item.leaders) cost += cost <= max ? cost_of_leader(leader) : 0;
   add_all(item.text_boxes, [&](const TurnedBox& text) { cost += ink_.in(text) > 0 ? cost_of_text : 0; });
   add_all(item.lines, [&](const TurnedBox& line) { cost += cost_of_ink * ink_.in(line); });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "dimensions/conflicts.hpp"
+#include "dimensions/hatched_areas.hpp"
 #include "drawing/drawing.hpp"
 #include "drawing/ink_cells.hpp"
 #include "drawing/view_drawing.hpp"
@@ -55,6 +56,8 @@ class Obstacles {
 
   /// The cost of a place; computed no further once it exceeds `max`.
   [[nodiscard]] double cost(const PlacedDimension& item, double max) const;
+  /// What a leader costs at least, and every longer one from its tip through its elbow.
+  [[nodiscard]] double cost_of_way(const LeaderLine& leader) const;
 
   /// How many of four faults it has, whatever else is placed: something is beyond the limits of the sheet; a text is on
   /// something else on the sheet, or a line goes through a text there; a line or text is inside another view, where it
@@ -66,13 +69,15 @@ class Obstacles {
 
  private:
   [[nodiscard]] bool is_beyond(const PlacedDimension& item) const;
+  [[nodiscard]] double cost_of_line(const TurnedBox& line, double max) const;
   [[nodiscard]] double cost_of_leader(const LeaderLine& leader) const;
 
   std::optional<Rectangle> paper_;
   BoxIndex others_, views_, letters_, other_texts_, other_zones_;
   InkIndex ink_;
   std::vector<Disc> discs_;
-  BoxIndex zones_{}, texts_{}, lines_{}, leaders_{};  ///< of what is placed
+  HatchedAreas hatched_;
+  BoxIndex zones_{}, texts_{}, lines_{}, leaders_{}, arrows_{};  ///< of what is placed
 };
 
 /// Whether an item is in conflict with another one, or with the obstacles, which are all but these; the limits of the

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <utility>
@@ -19,15 +20,25 @@ namespace epura::sheet {
 
 /// A possible placement, and its own cost without regard to other objects. Hundreds of leaders are possible at a
 /// circle, of which the first ones do, as a rule: each is drawn when it is looked at.
-struct ItemPlacement {
-  PlacedDimension dimension;
-  double cost;
-  std::function<PlacedDimension()> draw{};  ///< instead of the dimension
+class ItemPlacement {
+ public:
+  ItemPlacement(PlacedDimension drawn, double own)
+      : cost(own), drawn_(std::make_shared<const PlacedDimension>(std::move(drawn))) {}
+  ItemPlacement(std::function<PlacedDimension()> draw, double own, std::optional<std::size_t> on = {})
+      : cost(own), way(on), draw_(std::move(draw)) {}
 
-  const PlacedDimension& drawn() {
-    if (draw) dimension = std::exchange(draw, nullptr)();
-    return dimension;
+  const std::shared_ptr<const PlacedDimension>& drawn() {
+    if (!drawn_) drawn_ = std::make_shared<const PlacedDimension>(draw_());
+    return drawn_;
   }
+
+  double cost;
+  /// Of those with the same number, the first leader of each is a part of that of the next one.
+  std::optional<std::size_t> way{};
+
+ private:
+  std::shared_ptr<const PlacedDimension> drawn_{};
+  std::function<PlacedDimension()> draw_{};
 };
 
 /// Why something stands on the sheet: it was found in faces of the part, and gives way; it is required, and is left out
@@ -41,7 +52,9 @@ struct PlacementItem {
   Places usual;
   Places in_crowd{};                ///< more of them, which are less usual
   std::vector<Places> elsewhere{};  ///< at equal features, where that is clearly better
-  std::array<double, 3> order{};    ///< in ascending order, items are placed one after the other
+  /// In the place of another one that has this, too; nothing where its leader would cross itself.
+  std::function<std::optional<ItemPlacement>(const PlacedDimension& other)> instead{};
+  std::array<double, 3> order{};  ///< in ascending order, items are placed one after the other
   ItemRank rank = ItemRank::drawn;
   bool is_many = false;               ///< a row of lengths, which is left out last and makes way for nothing
   bool is_clear = false;              ///< it has no place where it crosses anything, not even for a while

@@ -44,6 +44,7 @@ struct DimensionEnd {
 /// The oblique line of a leader, from the arrow to the bend before the text.
 struct LeaderLine {
   Vec2 tip, elbow;
+  double before = 0;  ///< mm from the end of its arrow to the tip, where it may touch what it means
 };
 
 /// A dimension as it would be drawn, and the area that it takes up on paper.

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace epura::test::balloons_test {
@@ -17,6 +18,16 @@ bool cross(const std::vector<Vec2>& a, const std::vector<Vec2>& b) {
   return side(a[0], a[1], b[0]) * side(a[0], a[1], b[1]) < 0 && side(b[0], b[1], a[0]) * side(b[0], b[1], a[1]) < 0;
 }
 
+void add_outline(drawing::ViewDrawing& drawing, const sheet::Rectangle& box) {
+  const std::vector<Vec2> corners{box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    drawing.segments.push_back({});
+    drawing.segments.back().from = corners[i];
+    drawing.segments.back().to = corners[(i + 1) % 4];
+    drawing.segments.back().visible = true;
+  }
+}
+
 // Items in the middle of a view, with a dimension on one side.
 TEST(Balloons, AreOutsideTheViewAndTheirLeadersDoNotCross) {
   const sheet::Lettering lettering;
@@ -24,6 +35,7 @@ TEST(Balloons, AreOutsideTheViewAndTheirLeadersDoNotCross) {
   const sheet::Rectangle view{{60, 60}, {160, 120}};
   drawing::ViewDrawing drawing;
   drawing.box = {view.min, view.max};
+  add_outline(drawing, view);
   std::vector<sheet::BalloonTarget> targets;
   for (int i = 0; i < 12; ++i) targets.push_back({std::to_string(i + 1), {92.0 + 12 * (i % 4), 78.0 + 12 * (i / 4)}});
   const sheet::Rectangle dimension{{60, 124}, {160, 135}};
@@ -49,6 +61,35 @@ TEST(Balloons, AreOutsideTheViewAndTheirLeadersDoNotCross) {
       EXPECT_GT(glm::length(centres[i] - centres[j]), 2 * radius);
     }
   }
+}
+
+// Rows of parts: leaders go over no others, since there is room between the rows.
+TEST(Balloons, StandBetweenPartsInsteadOfPointingOverThem) {
+  const sheet::Lettering lettering;
+  const sheet::DimensionStyle style{lettering, 0.25};
+  drawing::ViewDrawing drawing;
+  drawing.box = {{100, 100}, {260, 220}};
+  std::vector<sheet::BalloonTarget> targets;
+  std::vector<sheet::Rectangle> parts;
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 5; ++column) {
+      const Vec2 min(100 + 34 * column, 100 + 34 * row), max = min + Vec2(24, 18);
+      parts.push_back({min, max});
+      targets.push_back({std::to_string(parts.size()), parts.back().centre()});
+      add_outline(drawing, parts.back());
+    }
+  sheet::Layer layer;
+  EXPECT_TRUE(sheet::place_balloons(layer, targets, drawing, style, {sheet::Rectangle{{20, 20}, {400, 300}}}).empty());
+  int leaders = 0;
+  for (const sheet::Stroke& stroke : layer.strokes) {
+    if (!stroke.curves.empty()) continue;
+    ++leaders;
+    const auto over = std::ranges::count_if(parts, [&](const sheet::Rectangle& part) {
+      return sheet::overlap(sheet::line_box(stroke.points[0], stroke.points[1]), sheet::turned_box(part));
+    });
+    EXPECT_EQ(over, 1) << "its own part";
+  }
+  EXPECT_EQ(leaders, 20);
 }
 
 // Of texts in a row, the second upright: each touches nothing, and needs a leader only where the others leave no room.
@@ -91,6 +132,7 @@ TEST(Balloons, AreLeftOutWhereThereIsNoPlace) {
   const sheet::Rectangle paper{{0, 0}, {100, 100}};
   drawing::ViewDrawing drawing;
   drawing.box = {paper.min, paper.max};
+  add_outline(drawing, paper);
   const auto left_out = sheet::place_balloons(layer, targets, drawing, {lettering, 0.25}, {paper});
   EXPECT_EQ(left_out, std::vector<std::string>{"7"});
   EXPECT_TRUE(layer.strokes.empty());

@@ -206,6 +206,49 @@ TEST_F(Callouts, BendLeadersOfDatumsPastLettering) {
 }
 
 // ISO 1302: arms at 60 degrees; a bar or a circle between them.
+// From wherever it comes, the arrow is on the nearest point of the rim, and the leader aims at the centre.
+TEST_F(Callouts, EndOnRimsOnTheWayToTheirCentres) {
+  const Vec2 centre(140, 105);
+  for (const sheet::RimOnPaper& rim : {sheet::RimOnPaper{centre, {8, 0}, {0, 8}}, {centre, {6, 2}, {-1, 5}}}) {
+    std::vector<sheet::Callout> notes{note("TO A HOLE", centre + rim.v), note("TO IT", centre + rim.v)};
+    for (sheet::Callout& one : notes) one.target->rim = rim;
+    notes[1].at = Vec2(60, 60);
+    layers = sheet::callout_layers("front", style);
+    place(notes);
+    ASSERT_EQ(layer.strokes.size(), 2U);
+    for (const sheet::Stroke& leader : layer.strokes) {
+      const Vec2 from = leader.points[0] - centre, way = leader.points[1] - centre;
+      EXPECT_NEAR(from.x * way.y - from.y * way.x, 0, 1e-9);
+      EXPECT_GT(glm::dot(from, way), 0);
+      const double det = rim.u.x * rim.v.y - rim.u.y * rim.v.x;
+      const Vec2 part = Vec2(from.x * rim.v.y - from.y * rim.v.x, rim.u.x * from.y - rim.u.y * from.x) / det;
+      EXPECT_NEAR(glm::length(part), 1, 1e-9) << "on the rim";
+    }
+  }
+}
+
+// A row of points close to each other, as many notes as two columns beside the view hold.
+TEST_F(Callouts, HavePlacesWhileThereIsRoom) {
+  std::vector<sheet::Callout> notes;
+  for (int i = 0; i < 26; ++i) notes.push_back(note("NOTE OF SOME LENGTH", {102.0 + 3 * i, 105}));
+  place(notes);
+  EXPECT_TRUE(without_place.empty()) << without_place.size();
+}
+
+TEST_F(Callouts, ComeFromOutsideOfHatching) {
+  view.cuts.faces.push_back(
+      {0, 0, {{{100, 80}, {180, 80}, {180, 130}, {150, 130}, {150, 100}, {130, 100}, {130, 130}, {100, 130}}}});
+  around.boxes.clear();
+  std::vector<sheet::Callout> notes{note("IN THE SLOT", {130, 115})};
+  notes[0].target->normal = Vec2(1, 0);
+  notes[0].target->is_border = true;
+  place(notes);
+  ASSERT_EQ(layer.strokes.size(), 1U);
+  const Vec2 bend = layer.strokes[0].points[1], up = bend - Vec2(130, 115);
+  EXPECT_GT(up.x, 0);
+  EXPECT_LT(130 + up.x * 15 / up.y, 150) << "through the mouth of the slot";
+}
+
 TEST_F(Callouts, DrawSymbolsOfSurfaceTexture) {
   const auto symbol = [&](MaterialRemoval removal) { return sheet::texture_symbol({removal, {"Ra 3.2"}}, style); };
   EXPECT_EQ(symbol(MaterialRemoval::any).strokes.size(), 1U);

@@ -154,14 +154,14 @@ TEST(DimensionClearance, TextsOnLeadersAreBesideTheirOwnLines) {
     one.anchors = {Vec3(20, 0, 10), Vec3(20 + size * std::cos(angle), 0, 10 + size * std::sin(angle))};
     const sheet::MeasuredDimension measured =
         sheet::measure(front, sheet::find_anchors(world, {&one, 1})[0], style.notation);
-    for (const sheet::ItemPlacement& place :
+    for (sheet::ItemPlacement& there :
          sheet::placements_in_crowd(std::get<sheet::MeasuredLength>(measured.form), measured, front, style)) {
-      if (place.dimension.leaders.empty()) continue;
+      const auto place = there.drawn();
+      if (place->leaders.empty()) continue;
       ++count;
-      for (const sheet::Stroke& stroke : place.dimension.strokes)
+      for (const sheet::Stroke& stroke : place->strokes)
         if (stroke.points.size() == 2) {
-          EXPECT_FALSE(
-              sheet::overlap(place.dimension.text_boxes.at(0), sheet::line_box(stroke.points[0], stroke.points[1])))
+          EXPECT_FALSE(sheet::overlap(place->text_boxes.at(0), sheet::line_box(stroke.points[0], stroke.points[1])))
               << size << " at " << i % 4 * 22.5;
         }
     }
@@ -373,7 +373,7 @@ TEST(DimensionClearance, AnglesStandWhereTheirLegsAreFree) {
     sheet::MeasuredAngle angle{corner, {Vec2(12, 0), slope}};
     angle.equal = sheet::CornerOnPaper{corner + slope, {Vec2(-1, 0), -slope}};
     auto all = sheet::placements_of(angle, {angle, sheet::DimensionText("60°"), {}}, front, {sheet::Lettering(), 0.25});
-    return std::ranges::min_element(all, {}, &sheet::ItemPlacement::cost)->drawn().arrows.at(0).rings[0][0] - corner;
+    return std::ranges::min_element(all, {}, &sheet::ItemPlacement::cost)->drawn()->arrows.at(0).rings[0][0] - corner;
   };
   EXPECT_NEAR(tip_with(0).y, 0, 1e-6);
   EXPECT_GT(tip_with(0).x, 0);

@@ -5,9 +5,12 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+#include <random>
 #include <vector>
 
 #include "dimensions/costs.hpp"
+#include "sheet/marks.hpp"
 
 namespace epura::test::place_items_test {
 namespace {
@@ -100,6 +103,53 @@ TEST(PlaceItems, LeadersDoNotRunAlongDimensionLines) {
   const sheet::PlacedDimensions placed = place({item(drawn, {text_in(there)}), item(drawn, {along, across})});
   ASSERT_TRUE(placed[1]);
   EXPECT_EQ(placed[1]->leaders.front().elbow, across.leaders.front().elbow);
+}
+
+TEST(PlaceItems, NoLeaderEndsOnAnotherOne) {
+  sheet::PlacedDimension on_it = leader({5, 5.5}, {2, 12}), aside = leader({30, 30}, {40, 40});
+  on_it.leaders[0].before = glm::length(Vec2(3, 6.5)) / 13;  // its arrow ends at (5.23, 5), on the other line
+  for (const Vec2& elbow : {Vec2(10, 10), Vec2(20, 9.5)}) {
+    const sheet::PlacedDimensions placed = place({item(drawn, {leader({0, 0}, elbow)}), item(drawn, {on_it, aside})});
+    ASSERT_TRUE(placed[1]);
+    EXPECT_EQ(placed[1]->leaders.front().elbow,
+              elbow.x < 20 ? aside.leaders.front().elbow : on_it.leaders.front().elbow);
+  }
+}
+
+// What a leader meets, longer ones on its way meet, too: they are passed over, and the place is the same.
+TEST(PlaceItems, FindTheSamePlacesAmongLeadersOnOneWay) {
+  std::minstd_rand random(3);
+  const auto number = [&](double most) { return std::uniform_real_distribution<double>(0, most)(random); };
+  std::size_t moved = 0;
+  for (int round = 0; round < 40; ++round) {
+    std::vector<sheet::PlacementItem> items;
+    for (int i = 0; i < 40; ++i) {
+      const Vec2 corner(number(60), number(60));
+      items.push_back(item(drawn, {text_in({corner, corner + Vec2(4, 3)})}));
+    }
+    const auto places_with = [&](bool has_ways) {
+      std::vector<sheet::PlacementItem> all = items;
+      all.push_back(item(required, {}));
+      all.back().usual = [=](const sheet::PlacedDimension*) {
+        std::vector<sheet::ItemPlacement> places;
+        for (std::size_t way = 0; way < 7; ++way)
+          for (double length = 4; length < 30; length += 2) {
+            const Vec2 tip(30, 30), elbow = tip + length * sheet::turned_to(0.9 * static_cast<double>(way));
+            const double cost = 0.5 * length + static_cast<double>(way);
+            const auto draw = [=] { return leader(tip, elbow); };
+            places.push_back({draw, cost, has_ways ? std::optional(way) : std::nullopt});
+          }
+        return places;
+      };
+      return place(all).back();
+    };
+    const std::optional<sheet::PlacedDimension> one = places_with(true), other = places_with(false);
+    ASSERT_EQ(one.has_value(), other.has_value());
+    if (!one) continue;
+    EXPECT_EQ(one->leaders.front().elbow, other->leaders.front().elbow);
+    moved += glm::distance(one->leaders.front().elbow, Vec2(34, 30)) > 1e-6 ? 1 : 0;
+  }
+  EXPECT_GE(moved, 10U);
 }
 
 }  // namespace
