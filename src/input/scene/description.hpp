@@ -194,14 +194,15 @@ struct DatumTarget {
 
 /// What stands beside a view, with a leader into it, or alone on the sheet.
 struct CalloutDescription {
-  std::string where;           ///< for errors
-  LocatedText view{};          ///< name of the view with the leader; by default the first one
-  Located<LeaderTarget> to{};  ///< no leader if not given
-  LocatedText dimension{};     ///< instead: name of a dimension, in line with which it stands
-  Located<LeaderEnd> end{};    ///< by default an arrow on a line, otherwise a dot
-  Located<Vec2> at{};          ///< upper left corner, mm from the lower left corner of the sheet; by default chosen
-  Located<int> sheet{};        ///< without a leader: number of its sheet, from 1; by default the first
-  std::string requirement{};   ///< of a model file, by its id, that this draws; not in scene files
+  std::string where;                   ///< for errors
+  LocatedText view{};                  ///< name of the view with the leader; by default the first one
+  Located<LeaderTarget> to{};          ///< no leader if not given
+  std::optional<FeatureCircle> rim{};  ///< that was found for the target: any point of it will do
+  LocatedText dimension{};             ///< instead: name of a dimension, in line with which it stands
+  Located<LeaderEnd> end{};            ///< by default an arrow on a line, otherwise a dot
+  Located<Vec2> at{};         ///< upper left corner, mm from the lower left corner of the sheet; by default chosen
+  Located<int> sheet{};       ///< without a leader: number of its sheet, from 1; by default the first
+  std::string requirement{};  ///< of a model file, by its id, that this draws; not in scene files
   std::variant<NoteText, ToleranceFrame, DatumFeature, DatumTarget, SurfaceTexture> content{};
 };
 

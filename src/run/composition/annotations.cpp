@@ -338,8 +338,9 @@ void add_callouts(std::vector<Annotations>& annotations, const world::World& wor
                     "view '" + name + "' is exploded, where points of the models have moved",
                     "write where the leader ends on the sheet: to = {page = [x, y]}");
       if (anchor != nullptr)
-        annotations[i].callouts.push_back({callout, shown_at(sheet::position_of(world, *anchor, callout.to.where),
-                                                             world, options, callout.to.where)});
+        annotations[i].callouts.push_back(
+            {callout, shown_at(sheet::position_of(world, *anchor, callout.to.where), world, options, callout.to.where),
+             options.turned.has_value()});
       else
         annotations[i].callouts.push_back({callout, std::get<Vec2>(*callout.to)});
     }

@@ -6,12 +6,14 @@
 #include <cmath>
 #include <cstddef>
 #include <map>
+#include <numbers>
 #include <optional>
 
 #include "annotations/callout_symbols.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
 #include "composition/page_triangle.hpp"
+#include "dimensions/hatched_areas.hpp"
 #include "drawing/drawing.hpp"
 #include "sheet/fit_text.hpp"
 
@@ -150,6 +152,32 @@ bool is_enclosed(const drawing::ViewDrawing& drawing, const Vec2& at, const Vec2
   });
 }
 
+// The side of a line on which there is no hatching, if it is on the other one: in the middle of the directions from the
+// point that leave cut material.
+std::optional<Vec2> out_of_material(const sheet::HatchedAreas& hatched, const Vec2& at, const Vec2& normal) {
+  constexpr int directions = 16;
+  constexpr double aside = 1;  // mm
+  Vec2 free(0, 0);
+  for (int i = 0; i < directions; ++i)
+    if (const Vec2 way = sheet::turned_to(2 * std::numbers::pi * (i + 0.5) / directions);
+        !hatched.contains(at + aside * way))
+      free += way;
+  const double out = glm::dot(free, normal);
+  if (std::abs(out) < 1) return std::nullopt;
+  return out > 0 ? normal : -normal;
+}
+
+// As an orthographic view shows it where nothing is left out; nothing if that looks across its axis.
+std::optional<sheet::RimOnPaper> rim_in(const drawing::ViewDrawing& drawing, const scene::FeatureCircle& rim) {
+  constexpr double flat = 0.05;  // of its width
+  if (drawing.projection.central || drawing.shown.breaks.any()) return std::nullopt;
+  const Vec3 one = glm::normalize(glm::cross(rim.axis, std::abs(rim.axis.x) < 0.9 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
+  const auto on_page = [&](const Vec4& p) { return Vec2(drawing.world_to_page * p) / drawing.world_to_page[3].w; };
+  const Vec2 u = on_page(Vec4(rim.radius * one, 0)), v = on_page(Vec4(rim.radius * glm::cross(rim.axis, one), 0));
+  if (std::abs(cross(u, v)) < flat * (glm::dot(u, u) + glm::dot(v, v))) return std::nullopt;
+  return sheet::RimOnPaper{on_page(Vec4(rim.centre, 1)), u, v};
+}
+
 LeaderEnd end_of(const scene::CalloutDescription& callout, bool on_a_line) {
   const LeaderEnd wanted = callout.end.value_or(LeaderEnd::automatic);
   if (wanted != LeaderEnd::automatic) return wanted;
@@ -173,6 +201,7 @@ CalloutTargets find_targets(const world::World& world, const drawing::ViewDrawin
   const std::vector<std::optional<double>> depths = depths_at(points, world, drawing.world_to_page);
   const std::vector<std::optional<double>> sides = depths_at(beside(points, lines), world, drawing.world_to_page);
   const double slack = slack_of(world, drawing);
+  const sheet::HatchedAreas hatched(drawing);
   for (std::size_t i = 0; i < callouts.size(); ++i) {
     const Vec2 at = drawing.shown.breaks.moved(points[i].at);
     const bool is_inside = at.x >= drawing.box.min.x && at.y >= drawing.box.min.y && at.x <= drawing.box.max.x &&
@@ -190,6 +219,13 @@ CalloutTargets find_targets(const world::World& world, const drawing::ViewDrawin
       const Vec2 normal = (left && !right ? -1.0 : 1.0) * left_of(*lines[i]);
       target.is_border = left != right;
       target.normal = target.is_border && is_enclosed(drawing, at, normal) ? -normal : normal;
+      if (const auto out = out_of_material(hatched, at, normal)) {
+        target.is_border = true;
+        target.normal = out;
+      }
+      if (const auto& rim = callouts[i].description.rim; rim && !callouts[i].is_moved)
+        target.rim = rim_in(drawing, *rim);
+      if (target.rim) target.normal.reset();
     } else {
       if (!is_partial) expect_line(callouts[i], drawing.name);
       if (points[i].depth && !drawing.projection.central && depths[i] && *depths[i] > *points[i].depth + slack)

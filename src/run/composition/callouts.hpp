@@ -19,6 +19,7 @@ namespace epura::pipeline {
 struct ViewCallout {
   scene::CalloutDescription description;
   std::variant<Vec3, Vec2> to;  ///< in the world, or on the sheet, mm
+  bool is_moved = false;        ///< an aligned section turned it there
 };
 
 /// A callout for messages: its first words.

@@ -41,6 +41,7 @@ struct FoundFeature {
   std::vector<int> faces{};      ///< of the part; of a hole, its narrowest bore
   std::vector<int> all_faces{};  ///< of a hole, all
   std::optional<FeatureCircle> circle{};
+  std::optional<FeatureCircle> rim{};  ///< of a hole, at its mouth
 };
 
 /// The features of a model as it is placed, in the order of their numbers.
@@ -127,7 +128,8 @@ std::vector<FoundFeature> holes_of(const world::Placed& placed, const surfaces::
     const Vec3 axis = glm::normalize(Vec3(placed.to_world * Vec4(from - to, 0)));
     const double radius = *scale * hole.diameters.back() / 2;
     holes.push_back({mouth, mouth + radius * any_across(axis), narrowest_bore(hole, part), hole.faces,
-                     FeatureCircle{mouth, axis, *scale * hole.diameters.front() / 2}});
+                     FeatureCircle{mouth, axis, *scale * hole.diameters.front() / 2},
+                     FeatureCircle{mouth, axis, radius}});
   }
   return holes;
 }
@@ -224,8 +226,9 @@ void find_features(scene::SceneDescription& scene, const world::World& world) {
     const auto* anchor = one.to.given() ? std::get_if<scene::Anchor>(&*one.to) : nullptr;
     if (anchor == nullptr) continue;
     if (const auto* name = std::get_if<FeatureName>(anchor)) {
-      const Vec3 surface = features.find(*name, one.to.where).surface;
-      one.to.value = scene::LeaderTarget(scene::Anchor(surface));
+      const FoundFeature& found = features.find(*name, one.to.where);
+      one.rim = found.rim;
+      one.to.value = scene::LeaderTarget(scene::Anchor(found.surface));
     }
   }
 }

@@ -18,7 +18,7 @@ namespace epura::pipeline {
 /// - a hole: where its axis leaves the material
 /// - a face: its middle, that of a cylinder, cone, sphere or torus on its axis
 /// - of radii, diameters and arcs: the circle of the narrowest bore or of the cylinder
-/// - of leaders: a point of the rim or face
+/// - of leaders: a point of the rim or face, and the rim
 /// Throws Error{input} that says what there is for features that do not exist or are none of one model.
 void find_features(scene::SceneDescription& scene, const world::World& world);
 

@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "base/text.hpp"
+#include "base/vec.hpp"
 #include "drawn_texts.hpp"
 #include "errors.hpp"
 #include "folder.hpp"
@@ -37,12 +41,13 @@ class FeaturePoints : public testing::Test {
     folder.file("anew.obj", written_anew(four));
   }
 
-  [[nodiscard]] Outcome draw(const std::string& model, const std::string& parts) const {
+  [[nodiscard]] Outcome draw(const std::string& model, const std::string& parts,
+                             const std::string& output = "x.svg") const {
     const std::string scene = "[[model]]\nfile = \"" + model +
                               ".obj\"\n[[view]]\nname = \"front\"\nprojection = \"front\"\n[[view]]\nname = "
                               "\"top\"\nprojection = \"top\"\n[sheet]\nsize = \"A3\"\n" +
                               parts;
-    return epura({"draw", folder.file("scene.toml", scene), "-o", "x.svg"}, folder / "");
+    return epura({"draw", folder.file("scene.toml", scene), "-o", output}, folder / "");
   }
   [[nodiscard]] Words texts() const { return sorted(dimensions_in(read_file(folder / "x.svg"))); }
 
@@ -76,6 +81,50 @@ TEST_F(FeaturePoints, AreThoseOfSectionsDetailsAndLeaders) {
   const std::string svg = read_file(folder / "x.svg");
   for (const char* text : {"A-A", "X", "drilled", "M9"})
     EXPECT_TRUE(contains(svg, "aria-label=\"" + std::string(text))) << text;
+}
+
+// The leaders in a JSON drawing.
+std::vector<std::vector<Vec2>> leaders_in(const std::string& json) {
+  static const std::regex leader(R"re("leader": \[(\[.*?\])\])re"), point(R"re(\[([-0-9.e]+), ([-0-9.e]+)\])re");
+  std::vector<std::vector<Vec2>> leaders;
+  for (std::sregex_iterator one(json.begin(), json.end(), leader), end; one != end; ++one) {
+    const std::string points = (*one)[1].str();
+    std::vector<Vec2>& found = leaders.emplace_back();
+    for (std::sregex_iterator p(points.begin(), points.end(), point); p != end; ++p)
+      found.push_back({*parse_number((*p)[1].str()), *parse_number((*p)[2].str())});
+  }
+  return leaders;
+}
+
+// From wherever they come, leaders to a hole end on the nearest point of its rim: where they would pass its centre.
+TEST_F(FeaturePoints, LeadersToHolesAimAtTheirCentres) {
+  std::string notes = "scale = \"1:1\"\n";
+  for (const char* at : {"[20, 250]", "[380, 250]", "[380, 60]", "[20, 100]"})
+    notes += "[[note]]\nview = \"top\"\ntext = \"drilled\"\nto = \"hole 4\"\nat = " + std::string(at) + "\n";
+  const Outcome run = draw("four", notes, "x.json");
+  EXPECT_EQ(run.code, 0) << run.err;
+  const auto leaders = leaders_in(read_file(folder / "x.json"));
+  ASSERT_EQ(leaders.size(), 4U);
+  for (const auto& one : leaders) {
+    const Vec2 centre = one[0] - 4.0 * glm::normalize(one[1] - one[0]);
+    for (const auto& other : leaders) EXPECT_NEAR(glm::distance(other[0], centre), 4, 1e-6);
+  }
+}
+
+// To the wall of a bore in a section: out of the bore, not through the material beside it.
+TEST_F(FeaturePoints, LeadersComeFromOutsideOfCutMaterial) {
+  const Outcome run = draw("four",
+                           "scale = \"1:1\"\n[[section]]\nname = \"A\"\npoint = [0, 15, 0]\nnormal = [0, -1, 0]\n"
+                           "[[view]]\nprojection = \"front\"\nname = \"cut\"\nsection = \"A\"\n"
+                           "[[note]]\nview = \"cut\"\ntext = \"honed\"\nto = {point = [24, 15, 12]}\n",
+                           "x.json");
+  EXPECT_EQ(run.code, 0) << run.err;
+  const auto leaders = leaders_in(read_file(folder / "x.json"));
+  ASSERT_EQ(leaders.size(), 1U);
+  const Vec2 way = leaders[0][1] - leaders[0][0];
+  const double at_mouth = way.x / std::abs(way.y) * (way.y > 0 ? 8 : 12);
+  EXPECT_LE(at_mouth, 0);
+  EXPECT_GE(at_mouth, -8) << "the diameter of the bore";
 }
 
 TEST_F(FeaturePoints, ThatAreNotThereAreRefusedWithWhatThereIs) {
