@@ -86,7 +86,9 @@ void DrawnLines::visit_others_at(const Vec2& end, const DrawnLine& line, const V
 // else its end.
 std::optional<Vec2> DrawnLines::meeting(const DrawnLine& line, std::size_t number, const Vec2& end) const {
   const DrawnLine& one = all_[number];
-  const double most = glm::distance(one.facets[0], one.facets[1]);
+  // The longer facet is off by more: it decides how far an end may move.
+  const double most =
+      std::max(glm::distance(one.facets[0], one.facets[1]), glm::distance(line.facets[0], line.facets[1]));
   const double off = line.drawn.distance(end) + one.drawn.distance(end);
   const auto is_near = [&](const Vec2& place) { return glm::distance(place, end) <= std::min(most, max_slant * off); };
   std::optional<Vec2> beyond;

@@ -152,6 +152,32 @@ TEST(ExactLines, OfRimsEndWhereOtherLinesHideThem) {
 }
 
 // A bar through a post: x = +-sqrt(R^2 - y^2) on a circle of y and z. Contours of the bar end on the post.
+// A rim of twelve chords ends at the rim of a disc above it that hides it, whose chords are shorter than the way to
+// there.
+TEST(ExactLines, OfCoarseRimsEndAtFineOnes) {
+  for (const int sides : {12, 48, 768}) {
+    Shape shape = frustum(1, 1, 1, 12);
+    shape.add(frustum(0.6, 0.6, 0.05, sides).moved(0, 0, 1.7));
+    const Vec3 towards = glm::normalize(Vec3(1, -1, 1));
+    const Drawn drawn = draw(shape, orthographic(towards));
+    const auto image = [&](double z) { return Vec2(drawn.drawing.world_to_page * Vec4(0, 0, z, 1)); };
+    const auto radius_about = [&](double z, const Vec2& place) {
+      const Vec2 from = (place - image(z)) / drawn.mm;
+      return std::hypot(from.x, from.y / towards.z);
+    };
+    int ends = 0;
+    for (const drawing::Chain& chain : drawn.drawing.chains)
+      for (const drawing::CurvePart& curve : chain.curves)
+        for (const double angle : {curve.from, curve.to}) {
+          const Vec2 end = drawing::position_on_curve(curve, angle);
+          const bool is_of_rim = chain.visible && glm::distance(curve.centre, image(1)) < 1e-6;
+          const double off = std::min(std::abs(radius_about(1.7, end) - 0.6), std::abs(radius_about(1.75, end) - 0.6));
+          if (is_of_rim && off < 1e-6) ++ends;
+        }
+    EXPECT_EQ(ends, 2) << sides;
+  }
+}
+
 TEST(ExactLines, OfCrossingsAreOnBothSurfaces) {
   constexpr double radius = 0.6;
   for (const int sides : {16, 17, 24, 31, 48}) {
