@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # CairoSVG 2.5.2 rounds the tile of a pattern up to whole points of 4/3 of a unit, and draws hatches that much wider: lines 3 mm apart on a sheet in
 # millimetres become 4 mm apart, 2.5 become 2.67, 10 become 10.67. It ignores clip-rule, so that what is cut out of a clip path is drawn over. Nothing is said. Tiles
-# of whole multiples of 4, and patterns drawn as lines, are right. Believed: as librsvg 2.54 draws them (SVG 1.1, 13.3 and 14.3.5).
+# of whole multiples of 4, and hatches drawn as lines, are right. Believed: as librsvg 2.54 draws them (SVG 1.1, 13.3 and 14.3.5).
 . "$(dirname "$(realpath "$0")")/packages.sh"
 debian_packages python3-cairosvg=2.5.2-1.1+deb12u1 librsvg2-bin=2.54.7+dfsg-1~deb12u2
 export PYTHONPATH=$work/root/usr/lib/python3/dist-packages
