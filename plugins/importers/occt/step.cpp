@@ -172,6 +172,7 @@ Model read_step(const std::string& file, const Beside& beside, epura::plugin::Si
   model.notes = without_foreign_files(reader.ChangeReader(), path);
   const std::string broken = faults_of(entities, Fault::reference);
   if (!broken.empty()) throw std::runtime_error("the file is damaged: " + broken);
+  expect_rigid_places(entities);
   const std::string faults = faults_of(entities, Fault::value);
   if (!faults.empty()) model.notes.push_back(faults);
   note_units(reader.ChangeReader(), model);

@@ -3,6 +3,7 @@
 
 #include <Interface_Check.hxx>
 #include <NCollection_IndexedDataMap.hxx>
+#include <Precision.hxx>
 #include <STEPConstruct_ExternRefs.hxx>
 #include <StepAP214_AppliedExternalIdentificationAssignment.hxx>
 #include <StepBasic_Document.hxx>
@@ -10,12 +11,18 @@
 #include <StepBasic_ProductDefinition.hxx>
 #include <StepData_SelectNamed.hxx>
 #include <StepData_StepModel.hxx>
+#include <StepGeom_CartesianTransformationOperator3d.hxx>
+#include <StepGeom_Direction.hxx>
+#include <StepRepr_MappedItem.hxx>
 #include <StepRepr_NextAssemblyUsageOccurrence.hxx>
+#include <StepRepr_RepresentationMap.hxx>
+#include <StepShape_ShapeRepresentation.hxx>
 #include <StepShape_SolidModel.hxx>
 #include <StepShape_TopologicalRepresentationItem.hxx>
 #include <TCollection_HAsciiString.hxx>
 #include <XSControl_WorkSession.hxx>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 #include <string_view>
@@ -137,6 +144,29 @@ void expect_no_cycle(const Handle(StepData_StepModel) & model) {
         throw std::runtime_error("the assembly " + label_of(model, contents.FindKey(part)) + " contains itself");
       if (states[part] == State::unseen) path.push_back({part, 0});
     }
+  }
+}
+
+void expect_rigid_places(const Handle(StepData_StepModel) & model) {
+  const auto axis = [](bool is_given, const Handle(StepGeom_Direction) & direction, const gp_XYZ& usual) {
+    if (!is_given || direction.IsNull() || direction->NbDirectionRatios() != 3) return usual;
+    return gp_XYZ(direction->DirectionRatiosValue(1), direction->DirectionRatiosValue(2),
+                  direction->DirectionRatiosValue(3));
+  };
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto item = Handle(StepRepr_MappedItem)::DownCast(model->Value(i));
+    if (item.IsNull() || item->MappingSource().IsNull()) continue;
+    const Handle(StepRepr_Representation) placed = item->MappingSource()->MappedRepresentation();
+    const auto by = Handle(StepGeom_CartesianTransformationOperator3d)::DownCast(item->MappingTarget());
+    if (by.IsNull() || placed.IsNull() || !placed->IsKind(STANDARD_TYPE(StepShape_ShapeRepresentation))) continue;
+    const bool is_mirrored = axis(by->HasAxis1(), by->Axis1(), {1, 0, 0})
+                                 .Crossed(axis(by->HasAxis2(), by->Axis2(), {0, 1, 0}))
+                                 .Dot(axis(by->HasAxis3(), by->Axis3(), {0, 0, 1})) < 0;
+    const bool is_scaled = by->HasScale() && std::abs(by->Scale() - 1) > Precision::Confusion();
+    if (is_mirrored || is_scaled)
+      throw std::runtime_error("the mapped item " + label_of(model, item) + (is_scaled ? " scales" : " mirrors") +
+                               " the shape that it places, which Open CASCADE does not: export the shape as it is, "
+                               "without such a place");
   }
 }
 

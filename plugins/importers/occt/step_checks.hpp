@@ -11,6 +11,10 @@ namespace occt {
 /// Throws if an assembly contains itself: Open CASCADE would follow it endlessly.
 void expect_no_cycle(const Handle(StepData_StepModel) & model);
 
+/// Throws if an item places a shape by an operator that scales or mirrors it: Open CASCADE 7.6.3 would place it
+/// unscaled, and turned for mirrored (findings/occt-step-scales.sh).
+void expect_rigid_places(const Handle(StepData_StepModel) & model);
+
 /// A reference to an entity that is missing or has a wrong type, which Open CASCADE follows without a check; or another
 /// invalid value.
 enum class Fault { reference, value };

@@ -14,6 +14,7 @@
 
 #include "at_length.hpp"
 #include "base/file.hpp"
+#include "step_box.hpp"
 #include "support.hpp"
 
 namespace epura::test::damaged_parts_test {
@@ -120,6 +121,32 @@ TEST(DamagedParts, BrepThatIsCutShortIsRefusedAtOnce) {
     const std::string cut = folder.file("cut.brep", whole.substr(0, length));
     EXPECT_EQ(refusal_of(cut), "the file is cut off or damaged: no shape could be read") << length;
   }
+}
+
+// Open CASCADE leaves the scale out, and turns what is mirrored.
+TEST(DamagedParts, PlacesThatScaleOrMirrorAreRefused) {
+  const Folder folder;
+  const auto placed = [&folder](const std::string& axis, const std::string& scale) {
+    std::string text = step_box({40, 30, 20},
+                                "#1000=MAPPED_ITEM('',#1001,#1002);\n"
+                                "#1001=REPRESENTATION_MAP(#1003,#50);\n"
+                                "#1002=CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',#1005,#1006,#1004," +
+                                    scale + "," + axis +
+                                    ");\n#1003=AXIS2_PLACEMENT_3D('',#1004,#1007,#1005);\n"
+                                    "#1004=CARTESIAN_POINT('',(0.,0.,0.));\n"
+                                    "#1005=DIRECTION('',(1.,0.,0.));\n"
+                                    "#1006=DIRECTION('',(0.,1.,0.));\n"
+                                    "#1007=DIRECTION('',(0.,0.,1.));\n"
+                                    "#1008=DIRECTION('',(0.,0.,-1.));\n"
+                                    "#1009=SHAPE_REPRESENTATION('',(#1000),#30);\n");
+    const std::string shape = "SHAPE_DEFINITION_REPRESENTATION(#10,#50)";
+    text.replace(text.find(shape), shape.size(), "SHAPE_DEFINITION_REPRESENTATION(#10,#1009)");
+    return folder.file("part.step", text);
+  };
+  EXPECT_NEAR(volume_of(read_by_importer(placed("#1007", "1.")).mesh), 24000, 1e-6);
+  EXPECT_NEAR(volume_of(read_by_importer(placed("$", "$")).mesh), 24000, 1e-6);
+  EXPECT_TRUE(refusal_of(placed("#1007", "2.")).starts_with("the mapped item #1000 scales the shape that it places"));
+  EXPECT_TRUE(refusal_of(placed("#1008", "1.")).starts_with("the mapped item #1000 mirrors the shape that it places"));
 }
 
 }  // namespace
