@@ -14,6 +14,7 @@
 #include <XCAFDoc_ShapeTool.hxx>
 #include <cmath>
 
+#include "iges_arcs.hpp"
 #include "large_numbers.hpp"
 #include "part21.hpp"
 #include "readers.hpp"
@@ -61,6 +62,7 @@ Model read_iges(const std::string& path, const Beside& beside, epura::plugin::Si
   reader.SetLayerMode(false);
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
     throw std::runtime_error("the file is cut off or damaged: its sections could not be read");
+  if (!reader.IGESModel().IsNull()) align_arcs(reader.IGESModel());
   const Handle(Stage) stage = new Stage(sink, share_of_reading / 4, share_of_reading);
   Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
   reader.Transfer(document, stage->Start());

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Arcs of IGES that Open CASCADE 7.6.3 would read as others (findings/occt-iges-conics.sh and
+// findings/occt-iges-mirrored-arcs.sh).
+#pragma once
+
+#include <IGESData_IGESModel.hxx>
+
+namespace occt {
+
+/// Writes conic arcs (104) whose axis is not along their x axis, and arcs (100, 104) that a matrix mirrors, in
+/// coordinates in which Open CASCADE reads them right: each has the same points, from the same start to the same end.
+void align_arcs(const Handle(IGESData_IGESModel) & model);
+
+}  // namespace occt
