@@ -6,64 +6,11 @@
 # 4.4, which has parameters for both axes).
 . "$(dirname "$(realpath "$0")")/packages.sh"
 debian_packages libocct-data-exchange-dev=7.6.3+dfsg1-7 libocct-ocaf-dev=7.6.3+dfsg1-7
-cat >curve.cpp <<'CPP'
-#include <BRepBndLib.hxx>
-#include <BRepGProp.hxx>
-#include <Bnd_Box.hxx>
-#include <GProp_GProps.hxx>
-#include <IGESControl_Reader.hxx>
-#include <cmath>
-#include <cstdio>
-
-int main(int, char** words) {
-  IGESControl_Reader reader;
-  if (reader.ReadFile(words[1]) != IFSelect_RetDone || !reader.TransferRoots()) return 1;
-  Bnd_Box box;
-  BRepBndLib::AddOptimal(reader.OneShape(), box, false, false);
-  double b[6];
-  box.Get(b[0], b[1], b[2], b[3], b[4], b[5]);
-  GProp_GProps length;
-  BRepGProp::LinearProperties(reader.OneShape(), length);
-  std::printf("within %.0f %.0f to %.0f %.0f, %.1f long\n", std::round(b[0]) + 0.0, std::round(b[1]) + 0.0, std::round(b[3]) + 0.0, std::round(b[4]) + 0.0, length.Mass());
-}
-CPP
-occt_program curve.cpp TKIGES TKXSBase TKPrim TKTopAlgo TKBRep TKGeomBase TKG3d TKMath TKernel
+iges_curves
 cat >iges.py <<'PY'
 import math
-import re
-import subprocess
 
-
-def record(text, section, number):
-    return f"{text:<72}{section}{number:7d}"
-
-
-def write(entities):
-    """An IGES file in millimetres of entities: type, form, parameters and the number of the matrix (1 for the first entity, 0 for none)."""
-    header = "1H,,1H;,4Hpart,8Hpart.igs,3Hown,3Hown,32,38,6,308,15,4Hpart,1.,2,2HMM,1,0.01,15H20261130.000000,1.E-6,100.,3Hown,3Hown,11,0,15H20261130.000000;"
-    lines = [record("", "S", 1)] + [record(header[k:k + 72], "G", k // 72 + 1) for k in range(0, len(header), 72)]
-    directory, parameters = [], []
-    for place, (kind, form, values, matrix) in enumerate(entities):
-        words, first = [f"{kind},"] + [f"{value:.12g}," for value in values[:-1]] + [f"{values[-1]:.12g};"], len(parameters) + 1
-        text = ""
-        for word in words + [None]:
-            if word is None or len(text) + len(word) > 64:
-                parameters.append(record(f"{text:<64}{2 * place + 1:8d}", "P", len(parameters) + 1))
-                text = ""
-            text += word or ""
-        directory.append(record(f"{kind:8d}{first:8d}" + "       0" * 4 + f"{2 * matrix - 1 if matrix else 0:8d}       000000000", "D", 2 * place + 1))
-        directory.append(record(f"{kind:8d}" + "       0" * 2 + f"{len(parameters) - first + 1:8d}{form:8d}{'':24}       0", "D", 2 * place + 2))
-    counts = [1, len(lines) - 1, len(directory), len(parameters)]
-    lines += directory + parameters
-    lines.append(record("".join(f"{name}{count:7d}" for name, count in zip("SGDP", counts)), "T", 1))
-    with open("part.igs", "w") as file:
-        file.write("\n".join(lines) + "\n")
-
-
-def read():
-    told = subprocess.run(["./curve", "part.igs"], capture_output=True, text=True, check=True).stdout
-    return re.search(r"within .*", told)[0]
-
+from iges_curves import read, write
 
 # A, B, C, D, E and F of A x2 + B x y + C y2 + D x + E y + F = 0, the height, and where the arc begins and ends.
 c, s = math.cosh(1), math.sinh(1)

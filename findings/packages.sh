@@ -241,3 +241,149 @@ java_program() {
   find "$home" -lname '/etc/*' | while read -r link; do ln -sfn "$work/root$(readlink "$link")" "$link"; done
   "$home/bin/java" -Djava.awt.headless=true -XX:-UsePerfData -cp "$work/root/usr/share/java/*" "$1"
 }
+
+# Writes scenes.py: EXPORTERS of VTK, box_actor() of 10 x 20 x 30 mm, write(thing, kind) returns the text of a file with it, box(points_of(text, kind))
+# says where the corners in that are.
+vtk_exports() {
+  export PYTHONPATH=$work/root/usr/lib/python3/dist-packages
+  cat >scenes.py <<'PY'
+import itertools
+import json
+import math
+import re
+import vtkmodules.all as vtk
+
+EXPORTERS = {"VRML": (vtk.vtkVRMLExporter, "wrl"), "X3D": (vtk.vtkX3DExporter, "x3d"), "Open Inventor": (vtk.vtkIVExporter, "iv"),
+             "glTF": (vtk.vtkGLTFExporter, "gltf"), "OBJ": (vtk.vtkOBJExporter, "obj")}
+
+
+def box_actor():
+    cube = vtk.vtkCubeSource()
+    cube.SetBounds(0, 10, 0, 20, 0, 30)
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputConnection(cube.GetOutputPort())
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    return actor
+
+
+def write(thing, kind):
+    renderer, window = vtk.vtkRenderer(), vtk.vtkRenderWindow()
+    window.SetOffScreenRendering(1)
+    window.AddRenderer(renderer)
+    renderer.AddViewProp(thing)
+    make, ending = EXPORTERS[kind]
+    exporter = make()
+    exporter.SetRenderWindow(window)
+    if kind == "OBJ":
+        exporter.SetFilePrefix("part")
+    else:
+        exporter.SetFileName("part." + ending)
+    exporter.Write()
+    return open("part." + ending).read()
+
+
+def placed(point, place):
+    """T R S of VRML, X3D and Open Inventor."""
+    x, y, z = (value * scale for value, scale in zip(point, place["scale"]))
+    *axis, angle = place["rotation"]
+    length = math.hypot(*axis) or 1
+    ax, ay, az = (value / length for value in axis)
+    c, s = math.cos(angle), math.sin(angle)
+    dot = (ax * x + ay * y + az * z) * (1 - c)
+    turned = (x * c + (ay * z - az * y) * s + ax * dot, y * c + (az * x - ax * z) * s + ay * dot, z * c + (ax * y - ay * x) * s + az * dot)
+    return [value + move for value, move in zip(turned, place["translation"])]
+
+
+def points_of(text, kind):
+    numbers = lambda words: [float(word) for word in re.findall(r"-?\d+\.?\d*(?:[eE][-+]?\d+)?", words)]
+    triples = lambda words: list(zip(*[iter(numbers(words))] * 3))
+    if kind == "OBJ":
+        return triples(" ".join(line[2:] for line in text.splitlines() if line.startswith("v ")))
+    if kind == "glTF":
+        file, points = json.loads(text), []
+        for node in file["nodes"]:
+            if "mesh" in node:
+                m = node.get("matrix", [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1])
+                at = file["accessors"][file["meshes"][node["mesh"]]["primitives"][0]["attributes"]["POSITION"]]
+                for p in itertools.product(*zip(at["min"], at["max"])):
+                    points.append([sum(m[4 * k + axis] * p[k] for k in range(3)) + m[12 + axis] for axis in range(3)])
+        return points
+    place, points = None, []
+    for name, words in re.findall(r"\b(translation|rotation|scale|scaleFactor|point)\b[\s=\"\[]*((?:[-+.\deE]+[\s,]*)+)", text):
+        if name == "translation":
+            place = {"translation": numbers(words), "rotation": [0, 0, 1, 0], "scale": [1, 1, 1]}
+        elif name != "point":
+            place[name.removesuffix("Factor")] = numbers(words)
+        elif place:  # the points after them are those of textures
+            points += [placed(point, place) for point in triples(words)]
+            place = None
+    return points
+
+
+def box(points):
+    low, high = ([round(limit(point[axis] for point in points)) for axis in range(3)] for limit in (min, max))
+    return "{} {} {} to {} {} {}".format(*low, *high)
+PY
+}
+
+# Makes ./curve, which reads an IGES file by Open CASCADE and says where its curve is, and iges_curves.py with write(entities) and read().
+iges_curves() {
+  cat >curve.cpp <<'CPP'
+#include <BRepBndLib.hxx>
+#include <BRepGProp.hxx>
+#include <Bnd_Box.hxx>
+#include <GProp_GProps.hxx>
+#include <IGESControl_Reader.hxx>
+#include <cmath>
+#include <cstdio>
+
+int main(int, char** words) {
+  IGESControl_Reader reader;
+  if (reader.ReadFile(words[1]) != IFSelect_RetDone || !reader.TransferRoots()) return 1;
+  Bnd_Box box;
+  BRepBndLib::AddOptimal(reader.OneShape(), box, false, false);
+  double b[6];
+  box.Get(b[0], b[1], b[2], b[3], b[4], b[5]);
+  GProp_GProps length;
+  BRepGProp::LinearProperties(reader.OneShape(), length);
+  std::printf("within %.0f %.0f to %.0f %.0f, %.1f long\n", std::round(b[0]) + 0.0, std::round(b[1]) + 0.0, std::round(b[3]) + 0.0, std::round(b[4]) + 0.0, length.Mass());
+}
+CPP
+  occt_program curve.cpp TKIGES TKXSBase TKPrim TKTopAlgo TKBRep TKGeomBase TKG3d TKMath TKernel
+  cat >iges_curves.py <<'PY'
+import re
+import subprocess
+
+
+def record(text, section, number):
+    return f"{text:<72}{section}{number:7d}"
+
+
+def write(entities):
+    """An IGES file in millimetres of entities: type, form, parameters and the number of the matrix (1 for the first entity, 0 for none)."""
+    header = "1H,,1H;,4Hpart,8Hpart.igs,3Hown,3Hown,32,38,6,308,15,4Hpart,1.,2,2HMM,1,0.01,15H20261130.000000,1.E-6,100.,3Hown,3Hown,11,0,15H20261130.000000;"
+    lines = [record("", "S", 1)] + [record(header[k:k + 72], "G", k // 72 + 1) for k in range(0, len(header), 72)]
+    directory, parameters = [], []
+    for place, (kind, form, values, matrix) in enumerate(entities):
+        words, first = [f"{kind},"] + [f"{value:.12g}," for value in values[:-1]] + [f"{values[-1]:.12g};"], len(parameters) + 1
+        text = ""
+        for word in words + [None]:
+            if word is None or len(text) + len(word) > 64:
+                parameters.append(record(f"{text:<64}{2 * place + 1:8d}", "P", len(parameters) + 1))
+                text = ""
+            text += word or ""
+        directory.append(record(f"{kind:8d}{first:8d}" + "       0" * 4 + f"{2 * matrix - 1 if matrix else 0:8d}       000000000", "D", 2 * place + 1))
+        directory.append(record(f"{kind:8d}" + "       0" * 2 + f"{len(parameters) - first + 1:8d}{form:8d}{'':24}       0", "D", 2 * place + 2))
+    counts = [1, len(lines) - 1, len(directory), len(parameters)]
+    lines += directory + parameters
+    lines.append(record("".join(f"{name}{count:7d}" for name, count in zip("SGDP", counts)), "T", 1))
+    with open("part.igs", "w") as file:
+        file.write("\n".join(lines) + "\n")
+
+
+def read():
+    told = subprocess.run(["./curve", "part.igs"], capture_output=True, text=True, check=True).stdout
+    return re.search(r"within .*", told)[0]
+PY
+}

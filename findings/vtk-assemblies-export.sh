@@ -5,85 +5,9 @@
 # Nothing is said. Parts that are placed themselves are right. Believed: what the window shows is written, as the exporters' pages say.
 . "$(dirname "$(realpath "$0")")/packages.sh"
 debian_packages python3-vtk9=9.1.0+really9.1.0+dfsg2-5+deb12u1
-export PYTHONPATH=$work/root/usr/lib/python3/dist-packages
+vtk_exports
 cat >export.py <<'PY'
-import itertools
-import json
-import math
-import re
-import vtkmodules.all as vtk
-
-EXPORTERS = {"VRML": (vtk.vtkVRMLExporter, "wrl"), "X3D": (vtk.vtkX3DExporter, "x3d"), "Open Inventor": (vtk.vtkIVExporter, "iv"),
-             "glTF": (vtk.vtkGLTFExporter, "gltf"), "OBJ": (vtk.vtkOBJExporter, "obj")}
-
-
-def box_actor():
-    cube = vtk.vtkCubeSource()
-    cube.SetBounds(0, 10, 0, 20, 0, 30)
-    mapper = vtk.vtkPolyDataMapper()
-    mapper.SetInputConnection(cube.GetOutputPort())
-    actor = vtk.vtkActor()
-    actor.SetMapper(mapper)
-    return actor
-
-
-def write(thing, kind):
-    renderer, window = vtk.vtkRenderer(), vtk.vtkRenderWindow()
-    window.SetOffScreenRendering(1)
-    window.AddRenderer(renderer)
-    renderer.AddViewProp(thing)
-    make, ending = EXPORTERS[kind]
-    exporter = make()
-    exporter.SetRenderWindow(window)
-    if kind == "OBJ":
-        exporter.SetFilePrefix("part")
-    else:
-        exporter.SetFileName("part." + ending)
-    exporter.Write()
-    return open("part." + ending).read()
-
-
-def placed(point, place):
-    """T R S of VRML, X3D and Open Inventor."""
-    x, y, z = (value * scale for value, scale in zip(point, place["scale"]))
-    *axis, angle = place["rotation"]
-    length = math.hypot(*axis) or 1
-    ax, ay, az = (value / length for value in axis)
-    c, s = math.cos(angle), math.sin(angle)
-    dot = (ax * x + ay * y + az * z) * (1 - c)
-    turned = (x * c + (ay * z - az * y) * s + ax * dot, y * c + (az * x - ax * z) * s + ay * dot, z * c + (ax * y - ay * x) * s + az * dot)
-    return [value + move for value, move in zip(turned, place["translation"])]
-
-
-def points_of(text, kind):
-    numbers = lambda words: [float(word) for word in re.findall(r"-?\d+\.?\d*(?:[eE][-+]?\d+)?", words)]
-    triples = lambda words: list(zip(*[iter(numbers(words))] * 3))
-    if kind == "OBJ":
-        return triples(" ".join(line[2:] for line in text.splitlines() if line.startswith("v ")))
-    if kind == "glTF":
-        file, points = json.loads(text), []
-        for node in file["nodes"]:
-            if "mesh" in node:
-                m = node.get("matrix", [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1])
-                at = file["accessors"][file["meshes"][node["mesh"]]["primitives"][0]["attributes"]["POSITION"]]
-                for p in itertools.product(*zip(at["min"], at["max"])):
-                    points.append([sum(m[4 * k + axis] * p[k] for k in range(3)) + m[12 + axis] for axis in range(3)])
-        return points
-    place, points = None, []
-    for name, words in re.findall(r"\b(translation|rotation|scale|scaleFactor|point)\b[\s=\"\[]*((?:[-+.\deE]+[\s,]*)+)", text):
-        if name == "translation":
-            place = {"translation": numbers(words), "rotation": [0, 0, 1, 0], "scale": [1, 1, 1]}
-        elif name != "point":
-            place[name.removesuffix("Factor")] = numbers(words)
-        elif place:  # the points after them are those of textures
-            points += [placed(point, place) for point in triples(words)]
-            place = None
-    return points
-
-
-def box(points):
-    low, high = ([round(limit(point[axis] for point in points)) for axis in range(3)] for limit in (min, max))
-    return "{} {} {} to {} {} {}".format(*low, *high)
+from scenes import *
 
 
 def assembly(move):
