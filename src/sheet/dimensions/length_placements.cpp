@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "base/error.hpp"
-#include "base/nearest.hpp"
 #include "dimensions/costs.hpp"
 #include "dimensions/forms.hpp"
 #include "dimensions/length_reach.hpp"
@@ -34,7 +33,7 @@ Reach reach_of_ink(const MeasuredLength& length, const drawing::ViewDrawing& dra
   };
   const Vec2 end = local(length.to);
   const double min = std::min(0.0, end.x), max = std::max(0.0, end.x);
-  const bool all = !length.is_askew();
+  const bool all = std::min(std::abs(length.along.x), std::abs(length.along.y)) <= along_paper;
   Reach reach;
   reach.add(end.y);
   for (const drawing::Segment& segment : drawing.segments) {
@@ -57,7 +56,7 @@ struct Side {
   double sign;          ///< of distances, to the left of the dimension line
   double outline;       ///< distance of the outline
   double cost;          ///< of the extension lines
-  bool is_through;      ///< whether these go through the part beyond a diameter, or far along what leans
+  bool is_through;      ///< whether these go through the part beyond a diameter
 
   [[nodiscard]] double distance(int level, double text_height) const {
     return sign * (outline + first_dimension + level * dimension_step(text_height));
@@ -106,13 +105,9 @@ std::array<Side, 2> sides_of(const MeasuredLength& length, const drawing::ViewDr
     const double outline = sign > 0 ? reach.max : -reach.min;
     const double end = glm::dot(ends.to - ends.from, left_of(ends.along));
     const Vec2 way = sign * outline * left_of(ends.along);
-    const auto any_goes_through = [&] {
-      return goes_through_part(ends.from, ends.from + way, drawing) ||
-             goes_through_part(ends.to, ends.to + way, drawing);
-    };
-    // Far along what leans, as an arm, they seem to be lines of it.
-    const bool is_along = ends.is_askew() && outline > glm::distance(ends.from, ends.to);
-    const bool is_through = outline > on_line && (ends.is_diameter ? any_goes_through() : is_along);
+    const bool is_through =
+        ends.is_diameter && outline > on_line &&
+        (goes_through_part(ends.from, ends.from + way, drawing) || goes_through_part(ends.to, ends.to + way, drawing));
     const double cost = cost_of_extension * (2 * outline - sign * end) + (is_through ? 2 * cost_of_other : 0);
     return Side{ends, sign, outline, cost, is_through};
   };
@@ -156,19 +151,12 @@ std::vector<TurnedBox> zones_beyond(const PlacedDimension& dimension, const Meas
   return {zone};
 }
 
-// Whether a view draws a line there.
-bool is_on_ink(const Vec2& point, const drawing::ViewDrawing& drawing) {
-  return std::ranges::any_of(drawing.segments, [&](const drawing::Segment& segment) {
-    return segment.visible && distance_to_segment(point, segment.from, segment.to) <= on_line;
-  });
-}
-
-// A length on the part itself, where lines of its outline stand for extension lines, or from corner to corner.
+// A diameter on the part itself, where lines of its outline stand for extension lines.
 void add_on_part(std::vector<ItemPlacement>& placements, const MeasuredLength& length, const DimensionText& text,
                  const drawing::ViewDrawing& drawing, const DimensionStyle& style) {
   const LineRun one = run_at(length.from, length.extension, drawing),
                 other = run_at(length.to, length.extension, drawing);
-  double from = std::max(one.from, other.from), size = std::min(one.to, other.to) - from;
+  const double from = std::max(one.from, other.from), size = std::min(one.to, other.to) - from;
   const auto add = [&](PlacedDimension dimension, double cost) {
     // A centre line crosses it between its ends.
     for (const Stroke& line : dimension.strokes)
@@ -177,10 +165,7 @@ void add_on_part(std::vector<ItemPlacement>& placements, const MeasuredLength& l
     dimension.zones = zones_beyond(dimension, length);
     placements.push_back({std::move(dimension), cost_of_crossing_it + cost});
   };
-  if (size < 2 * nearest_lines) {
-    if (length.is_diameter || !is_on_ink(length.from, drawing) || !is_on_ink(length.to, drawing)) return;
-    from = size = 0;
-  }
+  if (size < 2 * nearest_lines) return;
   const int count = std::max(1, static_cast<int>(size / dimension_step(style.height(text))));
   for (int i = 0; i < count; ++i) {
     MeasuredLength there = length;

@@ -12,12 +12,9 @@
 #include "base/text.hpp"
 #include "drawing/drawing.hpp"
 #include "scene/choices.hpp"
-#include "sheet/marks.hpp"
 #include "sizes/tolerance.hpp"
 
 namespace epura::sheet {
-
-bool MeasuredLength::is_askew() const { return std::min(std::abs(along.x), std::abs(along.y)) > along_paper; }
 
 namespace {
 

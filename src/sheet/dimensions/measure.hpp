@@ -27,9 +27,6 @@ struct MeasuredLength {
   std::optional<bool> open{};  ///< only one end is shown, as in half views: true if `to` is where the line breaks off
   double value = 0;            ///< in the world, mm
   bool is_diameter = false;    ///< of a circle seen edge-on: the extension lines begin along its outline
-
-  /// Whether its line is parallel to no side of the paper.
-  [[nodiscard]] bool is_askew() const;
 };
 
 /// Lengths from one place to others along one direction, arranged together. Millimetres on paper.

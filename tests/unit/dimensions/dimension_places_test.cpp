@@ -7,7 +7,6 @@
 #include <cmath>
 #include <map>
 
-#include "base/nearest.hpp"
 #include "dimensions/obstacles.hpp"
 #include "dimensions_support.hpp"
 #include "errors.hpp"
@@ -47,33 +46,6 @@ Shape stairs(int steps) {
   Shape shape;
   for (int i = 0; i < steps; ++i) shape.add(box({0, 0, 10.0 * i}, {12.0 * (steps - i), 20, 10.0 * (i + 1)}));
   return shape;
-}
-
-// The width of a leaning bar between two blocks: beyond either, extension lines would run through a block or far along
-// the bar.
-TEST(DimensionPlaces, OfWhatLeansAreOnThePartRatherThanBeyondIt) {
-  const std::vector<Vec2> outline{{0, 0},    {20, 0},  {20, 6},  {80, 6},  {80, 0},  {100, 0},
-                                  {100, 20}, {80, 20}, {80, 14}, {20, 14}, {20, 20}, {0, 20}};
-  Shape bar;
-  std::vector<int> front, back;
-  const int n = static_cast<int>(outline.size());
-  for (const double y : {0.0, 10.0})
-    for (const Vec2& point : outline) bar.points.push_back({point.x, y, point.y});
-  for (int i = 0; i < n; ++i) {
-    front.push_back(i);
-    back.insert(back.begin(), n + i);
-    bar.faces.push_back({(i + 1) % n, i, n + i, n + (i + 1) % n});
-  }
-  bar.faces.push_back(front);
-  bar.faces.push_back(back);
-  const world::World world = placed(bar, "rotate:y,-30");
-  const drawing::ViewDrawing drawing = drawing_of(world, orthographic(from_front));
-  const auto ends = tips(layer_of(world, drawing, {dimension("aligned", {2, 9})}));
-  EXPECT_NEAR(glm::distance(ends[0], ends[1]), 8, 1e-6);
-  for (const Vec2& end : ends)
-    EXPECT_TRUE(std::ranges::any_of(drawing.segments, [&](const drawing::Segment& segment) {
-      return distance_to_segment(end, segment.from, segment.to) < 1e-6;
-    }));
 }
 
 TEST(DimensionPlaces, LookLikeDimensions) {
