@@ -25,11 +25,13 @@ struct Turn {
   double outwards = 0;  ///< positive if its triangles turn counterclockwise seen from outside of their surface
   double area = 0;      ///< twice its area
   double longest = 0;   ///< side of a triangle
+  Vec3 across{0};       ///< twice its vector area
 
   void add(const std::array<Vec3, 3>& p, const Vec3& out) {
-    const Vec3 across = glm::cross(p[1] - p[0], p[2] - p[0]);
-    outwards += glm::dot(across, out);
-    area += glm::length(across);
+    const Vec3 own = glm::cross(p[1] - p[0], p[2] - p[0]);
+    across += own;
+    outwards += glm::dot(own, out);
+    area += glm::length(own);
     longest = std::max({longest, glm::distance(p[0], p[1]), glm::distance(p[1], p[2]), glm::distance(p[2], p[0])});
   }
   /// Whether rounding does not decide how it turns.
@@ -50,7 +52,10 @@ Turns turns_of(const mesh::Mesh& mesh, const surfaces::PartFaces& part, const st
     if (number >= turns.of_polygon.size()) turns.of_polygon.resize(number + 1);
     const auto [a, b, c] = mesh.triangle(static_cast<int>(t));
     const std::array<Vec3, 3> corners{mesh.point(a), mesh.point(b), mesh.point(c)};
-    if (faces[t] < 0) continue;
+    if (faces[t] < 0) {
+      turns.of_polygon[number].add(corners, Vec3(0));
+      continue;
+    }
     const auto face = static_cast<std::size_t>(faces[t]);
     const surfaces::PartSurface& surface = part.faces[face].surface;
     const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3.0;
@@ -120,7 +125,13 @@ std::vector<signed char> facing_by_surface(const world::Placed& placed, const pr
   std::vector<signed char> facing(faces.size(), 0);
   std::vector<int> folded;
   for (std::size_t t = 0; t < facing.size(); ++t) {
-    if (faces[t] < 0) continue;
+    if (faces[t] < 0) {
+      const Vec3 corner = mesh.point(mesh.triangle(static_cast<int>(t))[0]);
+      // A contour that ends at a cut may fold a triangle of that over.
+      const Vec3& across = turns.of_polygon[static_cast<std::size_t>(mesh.polygon[t])].across;
+      facing[t] = static_cast<signed char>(mirrored * sign_of(glm::dot(across, viewer.seen_from(corner))));
+      continue;
+    }
     const auto face = static_cast<std::size_t>(faces[t]);
     if (!planes[face]) continue;
     // Where all triangles are joined in one sense, one that turns against its face is folded over.

@@ -3,7 +3,7 @@
 //
 // Near the contour of a surface, its triangles are seen edge-on, and on the page rounding or a chord across the contour
 // decides how they turn. The surface knows: triangles of cylinders and cones that do not reach across the contour
-// (refine_world.hpp) turn as their surface does, however low they are.
+// (refine_world.hpp) turn as their surface does, however low they are. Those of a cut turn as the whole cut face does.
 #pragma once
 
 #include <vector>

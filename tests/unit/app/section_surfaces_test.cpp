@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
+#include <utility>
 
 #include "base/text.hpp"
 #include "program.hpp"
@@ -68,6 +70,33 @@ TEST_F(SectionSurfaces, AreFoundRight) {
     for (const char* view : {"isometric", "front", "left"}) {
       const Outcome run = draw({"--views", view, "--section", plane, "--verify"}, "ball.svg");
       EXPECT_EQ(run.code, 0) << plane << " " << view << run.err;
+    }
+}
+
+// A tube that leans in y and z, between two planes z; its first side begins `turn` of a side after x.
+std::string leaning_tube(double turn) {
+  constexpr int sides = 24;
+  std::string text;
+  for (const double r : {3.0, 9.0})
+    for (const double z : {0.0, 30.0})
+      for (int k = 0; k < sides; ++k) {
+        const double a = 2 * std::numbers::pi * (k + turn) / sides, along = (z - 15 + 0.6 * r * std::sin(a)) / 0.8;
+        text += vertex(15 + r * std::cos(a), 20 + 0.8 * r * std::sin(a) + 0.6 * along, z);
+      }
+  const auto corner = [](int ring, int k) { return " " + std::to_string(ring * sides + k % sides + 1); };
+  for (int k = 0; k < sides; ++k)
+    for (const auto& [low, high] : {std::pair(0, 1), {3, 2}, {2, 0}, {1, 3}})
+      text += "f" + corner(low, k) + corner(low, k + 1) + corner(high, k + 1) + corner(high, k) + "\n";
+  return text;
+}
+
+// Contours of a bore end at the cut between corners of it, and fold a triangle of the cut over.
+TEST_F(SectionSurfaces, EndContoursThatLean) {
+  for (const double turn : {0.37, 0.5})
+    for (const char* y : {"15", "18", "22"}) {
+      write_file(ball_, leaning_tube(turn));
+      const Outcome run = draw({"--views", std::string("front:section=y@") + y, "--verify"}, "tube.svg");
+      EXPECT_EQ(run.code, 0) << turn << " " << y << run.err;
     }
 }
 
