@@ -60,6 +60,7 @@ void judge_holes(Verdict& verdict, const NotedText& note, const std::vector<Give
   const bool is_through =
       std::ranges::any_of(elements, [](const NotedElement& one) { return one.role == NotedRole::through; });
   const NotedElement* size = note.size();
+  if (size != nullptr && size->sign == NotedSign::none) size = nullptr;  // "18 deep"
   bool any = false;
   for (const NotedRound& one : walls.rounds()) {
     const auto chain = one.inwards && !one.is_fillet() ? walls.chain_at(one.circle) : std::nullopt;
@@ -67,9 +68,10 @@ void judge_holes(Verdict& verdict, const NotedText& note, const std::vector<Give
     const std::string name = "⌀" + number_text(2 * one.circle.radius, notation);
     const bool is_size = size == nullptr || size->allows(2 * one.circle.radius, 2 * walls.slack());
     any = any || is_size;
-    if (!is_size && !is_given(*chain, given, walls, false)) verdict.deny("a hole of " + name);
+    if (!is_size && note.is_of_all && !is_given(*chain, given, walls, false)) verdict.deny("a hole of " + name);
     const bool is_blind = chain->ends_at(chain->own, 0) || chain->ends_at(chain->own, 1);
-    if (is_through && is_blind && !is_given(*chain, given, walls, true)) verdict.deny("a blind hole of " + name);
+    if (is_size && note.count == 1 && is_through && is_blind && !is_given(*chain, given, walls, true))
+      verdict.deny("a blind hole of " + name);
   }
   if (!any) verdict.deny("no such hole");
 }

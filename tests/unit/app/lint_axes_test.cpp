@@ -245,5 +245,27 @@ TEST_F(LintAxes, OfNotesMayEndAtTheRecess) {
   EXPECT_TRUE(contains(judged(6, "⌀8 ⌴⌀12 ↧5"), "untrue"));
 }
 
+// Two through bores of 4 beside two blind ones of 6.8, 8 deep, in which a thread is drawn: what is said of those of 4,
+// or of all blind ones, is no word about the others.
+TEST_F(LintAxes, OfGeneralNotesDenyNoOtherHoles) {
+  const auto hole = [](const Vec2& centre) {
+    const bool is_blind = centre.x < 40;
+    return stepped_hole(is_blind ? std::vector<Vec2>{{3.4, 12}, {3.4, 4}} : std::vector<Vec2>{{2, 12}, {2, 0}})(centre);
+  };
+  folder_.file("part.obj", plate({40, 30}, 2, 2, 12, hole));
+  const auto judged = [&](const std::string& text) {
+    const std::string scene = folder_.file(
+        "scene.toml",
+        "views = ['front', 'top']\nmodel = [{file = 'part.obj'}]\ndimension = [{type = 'auto'}]\n"
+        "thread = [{thread = 'M8', at = {point = [20, 15, 12]}, equal = true, depth = 8, callout = false}]\n"
+        "note = [{text = '" +
+            text + "'}]\n");
+    return epura({"lint", scene}, folder_ / "").out;
+  };
+  for (const char* text : {"2 holes ⌀4", "Bohrungen ⌀4 durchgehend", "trous ⌀4 traversants", "All blind holes 8 deep"})
+    EXPECT_FALSE(contains(judged(text), "untrue")) << text;
+  for (const char* text : {"2 holes ⌀5", "All holes ⌀5"}) EXPECT_TRUE(contains(judged(text), "untrue")) << text;
+}
+
 }  // namespace
 }  // namespace epura::test::lint_axes_test
