@@ -130,6 +130,12 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
+std::string replaced(std::string text, std::string_view old, std::string_view with) {
+  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size()))
+    text.replace(at, old.size(), with);
+  return text;
+}
+
 void append_to_list(std::string& list, std::string_view item) {
   if (!list.empty()) list += ", ";
   list += item;

@@ -37,6 +37,9 @@ std::string format_rounded(double value, int digits);
 /// Returns the parts of `text` between separators; an empty text has one empty part.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
+/// Returns the text with each `old`, which is not empty, replaced.
+std::string replaced(std::string text, std::string_view old, std::string_view with);
+
 /// Adds an item to a list in words: "a", then "a, b".
 void append_to_list(std::string& list, std::string_view item);
 

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/file.hpp"
 #include "base/shared_library.hpp"
+#include "base/text.hpp"
 #include "projection/loader.hpp"
 
 namespace epura {
@@ -26,12 +27,6 @@ INSTALL  cmake -S NAME -B NAME/buildPREFIX && cmake --build NAME/build
   epura plugins check NAME/build/NAME.so
   epura draw MODEL --plugin-path NAME/build --projection NAME -o drawing.pdf
 )";
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
-  return text;
-}
 
 /// "two-point" -> "TwoPoint". An identifier must not begin with a digit.
 std::string type_name(const std::string& name) {

@@ -13,6 +13,7 @@
 
 #include "base/error.hpp"
 #include "base/portable_math.hpp"
+#include "base/text.hpp"
 #include "sizes/anchors.hpp"
 #include "sizes/tolerance.hpp"
 #include "sizes/twins.hpp"
@@ -24,12 +25,6 @@ namespace {
 using scene::DimensionDescription;
 
 constexpr std::string_view value_sign = "<>";
-
-std::string replaced(std::string text, std::string_view old, std::string_view with) {
-  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size()))
-    text.replace(at, old.size(), with);
-  return text;
-}
 
 // As whoever types it may write it.
 std::string plain(std::string text) {

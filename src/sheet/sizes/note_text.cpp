@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/text.hpp"
 #include "scene/choices.hpp"
 #include "sizes/equal_features.hpp"
 #include "sizes/note_cursor.hpp"
@@ -15,12 +16,6 @@
 namespace epura::sheet {
 
 namespace {
-
-std::string replaced(std::string text, std::string_view old, std::string_view with) {
-  for (std::size_t at = text.find(old); at != std::string::npos; at = text.find(old, at + with.size()))
-    text.replace(at, old.size(), with);
-  return text;
-}
 
 // With one sign for each thing, points before decimals, and without brackets around all of it.
 std::string normal(std::string text) {
