@@ -56,7 +56,7 @@ bool is_given(const HoleChain& chain, const std::vector<GivenSize>& given, const
 
 void judge_holes(Verdict& verdict, const NotedText& note, const std::vector<GivenSize>& given, const HoleWalls& walls,
                  const Notation& notation) {
-  const auto elements = std::span(note.elements).first(note.understood);
+  const auto elements = note.all_understood();
   const bool is_through =
       std::ranges::any_of(elements, [](const NotedElement& one) { return one.role == NotedRole::through; });
   const NotedElement* size = note.size();

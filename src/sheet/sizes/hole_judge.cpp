@@ -23,18 +23,13 @@ namespace {
 
 double diameter_of(const NotedElement& one) { return one.sign == NotedSign::radius ? 2 * one.least : one.least; }
 
-bool is_recess(NotedRole role) { return role == NotedRole::counterbore || role == NotedRole::countersink; }
-
 // A length is that of a hole or of a shaft.
 bool is_of_hole_alone(const NotedElement& one) { return is_of_hole(one) && one.role != NotedRole::length; }
 
 class HoleJudge {
  public:
   HoleJudge(const NotedText& text, const HoleWalls& walls, const Notation& notation)
-      : text_(text),
-        elements_(text.elements.begin(), text.elements.begin() + static_cast<std::ptrdiff_t>(text.understood)),
-        walls_(walls),
-        notation_(notation) {
+      : text_(text), elements_(text.all_understood()), walls_(walls), notation_(notation) {
     check(elements_.size() <= text.elements.size(), "what is understood is part of a text");
   }
 
@@ -255,7 +250,7 @@ class HoleJudge {
   }
 
   const NotedText& text_;
-  std::vector<NotedElement> elements_;  // that are understood
+  std::span<const NotedElement> elements_;  // that are understood
   const HoleWalls& walls_;
   const Notation& notation_;
 };
@@ -274,7 +269,7 @@ std::string number_text(double millimetres, const Notation& notation) {
 }
 
 bool is_at_recess(const NotedText& text, double diameter, const HoleWalls& walls) {
-  const auto elements = std::span(text.elements).first(text.understood);
+  const auto elements = text.all_understood();
   return text.size() != nullptr && text.size()->sign == NotedSign::diameter &&
          std::ranges::any_of(elements, [&](const NotedElement& one) {
            return one.is_recess() && one.allows(diameter, definition::same_size * diameter + 2 * walls.slack());
@@ -282,7 +277,7 @@ bool is_at_recess(const NotedText& text, double diameter, const HoleWalls& walls
 }
 
 WorldCircle circle_meant(const NotedText& text, WorldCircle noted, const HoleWalls& walls) {
-  const auto elements = std::span(text.elements).first(text.understood);
+  const auto elements = text.all_understood();
   if (std::ranges::any_of(elements, [](const NotedElement& one) { return one.role == NotedRole::thread; }))
     return walls.bore_of(noted, core_of_thread);
   if (is_at_recess(text, 2 * noted.radius, walls)) noted.radius = text.size()->least / 2;

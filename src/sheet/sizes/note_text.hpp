@@ -2,8 +2,10 @@
 // Reads the text of a dimension or note: a count, a size, tolerances, and what is said of a hole behind it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,6 +35,8 @@ enum class NotedRole {
   unread
 };
 
+constexpr bool is_recess(NotedRole role) { return role == NotedRole::counterbore || role == NotedRole::countersink; }
+
 enum class NotedSign { none, diameter, radius, sphere, sphere_radius, square, degrees };
 
 struct NotedElement {
@@ -50,7 +54,7 @@ struct NotedElement {
     const bool is_middle = middle > 0 && std::abs(value - middle) <= slack + doubt;
     return is_middle || (value >= least - slack - doubt && value <= most + slack + doubt);
   }
-  [[nodiscard]] bool is_recess() const { return role == NotedRole::counterbore || role == NotedRole::countersink; }
+  [[nodiscard]] bool is_recess() const { return sheet::is_recess(role); }
 };
 
 /// Of what general notes speak.
@@ -65,6 +69,10 @@ struct NotedText {
   std::string unread;                  ///< from the first word that nobody understands; empty: there is none
   std::size_t understood = 0;          ///< how many elements stand before that
 
+  [[nodiscard]] std::span<const NotedElement> all_understood() const { return std::span(elements).first(understood); }
+  [[nodiscard]] bool gives_thread() const {
+    return std::ranges::any_of(elements, [](const NotedElement& one) { return one.role == NotedRole::thread; });
+  }
   /// What is measured: the sum of equal ones, or the size; nothing where the first number may be something else, as in
   /// "60 along the edge" and "1/2".
   [[nodiscard]] const NotedElement* size() const;

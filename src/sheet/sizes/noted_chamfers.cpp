@@ -58,7 +58,7 @@ void add_of_plane(std::vector<ChamferLegs>& found, const FaceOfModel& at, const 
 bool ChamferLegs::suits(const NotedText& note, double doubt, double of_angle) const {
   const NotedElement* size = note.size();
   if (size == nullptr) return false;
-  for (const NotedElement& one : std::span(note.elements).first(note.understood)) {
+  for (const NotedElement& one : note.all_understood()) {
     if (one.role == NotedRole::angle && one.of <= 0) {
       const bool is_leg = size->allows(along, doubt) || size->allows(across, doubt);
       return is_leg && (one.allows(angle, of_angle) || one.allows(90 - angle, of_angle));

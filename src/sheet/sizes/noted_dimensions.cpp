@@ -16,13 +16,9 @@ namespace epura::sheet {
 
 namespace {
 
-bool gives_thread(const NotedText& text) {
-  return std::ranges::any_of(text.elements, [](const NotedElement& one) { return one.role == NotedRole::thread; });
-}
-
 std::optional<DimensionType> type_of(const NotedText& text) {
   const NotedElement* size = text.size();
-  if (size == nullptr) return gives_thread(text) ? std::optional(DimensionType::diameter) : std::nullopt;
+  if (size == nullptr) return text.gives_thread() ? std::optional(DimensionType::diameter) : std::nullopt;
   const bool is_radius = size->sign == NotedSign::radius || size->sign == NotedSign::sphere_radius;
   if (is_radius) return DimensionType::radius;
   const bool is_diameter = size->sign == NotedSign::diameter || size->sign == NotedSign::sphere;

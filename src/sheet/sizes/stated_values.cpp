@@ -77,8 +77,7 @@ std::optional<StatedSize> stated_size(const AnchoredDimension& dimension, const 
 }
 
 bool gives_thread(const std::string& text, const Notation& notation) {
-  return std::ranges::any_of(read_text(text, notation).elements,
-                             [](const NotedElement& one) { return one.role == NotedRole::thread; });
+  return read_text(text, notation).gives_thread();
 }
 
 bool gives_size(const AnchoredDimension& dimension, const DimensionsInView& view, const Notation& notation) {

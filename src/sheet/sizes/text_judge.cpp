@@ -61,10 +61,9 @@ class Judge {
     if (!text.unread.empty()) verdict.doubt("'" + text.unread + "'");
     const NotedElement* size = text.size();
     const std::optional<WorldCircle> circle = note.at ? walls_.circle_through(*note.at) : std::optional<WorldCircle>();
-    const auto is_thread = [](const NotedElement& one) { return one.role == NotedRole::thread; };
     const bool is_chamfer = size != nullptr && size->sign == NotedSign::none && has_slope(text);
     if (is_chamfer && note.at) return judge_chamfer(std::move(verdict), text, *note.at);
-    if (circle && size == nullptr && std::ranges::any_of(text.elements, is_thread)) {
+    if (circle && size == nullptr && text.gives_thread()) {
       judge_hole(verdict, text, *circle, walls_, notation_);
       return verdict;
     }
@@ -119,7 +118,7 @@ class Judge {
 
   // "2×45°", "2×2"
   static bool has_slope(const NotedText& text) {
-    return std::ranges::any_of(std::span(text.elements).first(text.understood), [](const NotedElement& one) {
+    return std::ranges::any_of(text.all_understood(), [](const NotedElement& one) {
       return (one.role == NotedRole::angle || one.role == NotedRole::length) && one.of <= 0;
     });
   }
@@ -139,7 +138,7 @@ class Judge {
   // "80 H7 (80.03/80)": what the class allows.
   void judge_zone(Verdict& verdict, const NotedText& text) const {
     const NotedElement* size = text.size();
-    for (const NotedElement& one : std::span(text.elements).first(text.understood)) {
+    for (const NotedElement& one : text.all_understood()) {
       if (one.role != NotedRole::limits || size == nullptr || !(size->least > 0)) continue;
       if (text.fit.empty()) {
         if (!one.allows(size->least, 0)) verdict.deny("other limits than those of its size");
@@ -177,8 +176,7 @@ class Judge {
     if (size != nullptr && !size->allows(of_circle * *measured, doubt) && !is_at_recess(text, *measured, walls_))
       verdict.deny(has);
     judge_zone(verdict, text);
-    for (std::size_t i = 0; i < text.understood; ++i) {
-      const NotedElement& one = text.elements[i];
+    for (const NotedElement& one : text.all_understood()) {
       if (one.role != NotedRole::other_unit) continue;
       const double inch = scene::millimetres(Unit::in);
       const bool is_it = one.unit > 0 ? one.allows(*measured, doubt)
@@ -193,7 +191,7 @@ class Judge {
                     const DimensionsInView& view) {
     std::optional<Vec3> along = measured_along(dimension, view);
     if (dimension.type == DimensionType::overall) along = Mat3(1)[axis_of(*dimension.direction)];
-    for (std::size_t i = 0; i < text.understood; ++i) judge_kind(verdict, text.elements[i], dimension, along);
+    for (const NotedElement& one : text.all_understood()) judge_kind(verdict, one, dimension, along);
     if (text.count == 1 || !verdict.has.empty()) return;
     const NotedElement* size = text.size();
     if (size != nullptr && size->role == NotedRole::sum) return judge_row(verdict, text, dimension, along);
