@@ -193,7 +193,9 @@ class ViewRun {
  private:
   Candidates find_candidates(bool may_leave_out, const Progress& progress) const;
   Candidates find_candidates_in_time() const;
-  [[nodiscard]] const KnownIntersections* known_intersections() const;
+  [[nodiscard]] SharedWorld shared_world() const {
+    return {input_.world, refined_ ? &*refined_ : nullptr, view_, options_.edges};
+  }
   void keep_intersections(const report::PlanStep& step);
   void find_edges();
   void hide();
@@ -221,8 +223,8 @@ class ViewRun {
   }
 
   const ViewInput& input_;
-  const std::optional<world::World> refined_;  ///< nothing if there is nothing to refine
-  const world::World& world_;                  ///< whose edges are drawn
+  const std::optional<refine::RefinedWorld> refined_;  ///< nothing if there is nothing to refine
+  const world::World& world_;                          ///< whose edges are drawn
   const ViewOptions& options_;
   view::ProjectedScene view_;
   edges::FeatureEdges drawn_{};
@@ -261,35 +263,27 @@ Candidates ViewRun::find_candidates_in_time() const {
   }
 }
 
-// Null if no view has found the intersections that this one needs.
-const KnownIntersections* ViewRun::known_intersections() const {
-  if (refined_ || input_.known == nullptr || !*input_.known || !options_.edges.intersection) return nullptr;
-  const KnownIntersections& known = **input_.known;
-  const bool are_same = known.normalisation == view_.map.normalisation && known.contact == view_.contact.in_space &&
-                        known.crease_angle == options_.edges.crease_angle &&
-                        known.part_angle == options_.edges.part_angle;
-  return are_same ? &known : nullptr;
-}
-
 void ViewRun::keep_intersections(const report::PlanStep& step) {
-  const edges::EdgeOptions& edges = options_.edges;
-  if (refined_ || input_.known == nullptr || *input_.known || !edges.intersection || drawn_.searched < 1) return;
-  input_.known->emplace(KnownIntersections{view_.map.normalisation, view_.contact.in_space, edges.crease_angle,
-                                           edges.part_angle, edges::intersections_of(drawn_), step});
-  (*input_.known)->step.times = {};
+  std::vector<edges::FaceCrossing> of_facets = std::exchange(drawn_.of_facets, {});
+  if (input_.known == nullptr || *input_.known || !options_.edges.intersection || drawn_.searched < 1) return;
+  input_.known->emplace(known_intersections(shared_world(), std::move(of_facets), drawn_, step));
 }
 
 // Finds no edges if there is not even time for those of the meshes.
 void ViewRun::find_edges() {
-  const KnownIntersections* known = known_intersections();
-  Candidates candidates = known != nullptr ? Candidates{{}, known->step} : find_candidates_in_time();
+  const bool are_known = input_.known != nullptr && *input_.known && options_.edges.intersection &&
+                         has_same(**input_.known, shared_world());
+  const KnownIntersections* known = are_known ? &**input_.known : nullptr;
+  const bool is_whole = known != nullptr && known->whole && !refined_;
+  Candidates candidates = is_whole ? Candidates{{}, known->step} : find_candidates_in_time();
+  if (known != nullptr && !is_whole) candidates.crossing.known = settled_by(*known, shared_world());
   try {
     edges::EdgeOptions options = options_.edges;
     options.thread_depth = options_.min_thread / (input_.place.scale * view_.projection.scale);
     const auto find = [&](const auto& crossing) {
       return edges::find_feature_edges(world_, view_, options, crossing, budget_.lines);
     };
-    drawn_ = known != nullptr ? find(known->found) : find(candidates.crossing);
+    drawn_ = is_whole ? find(*known->whole) : find(candidates.crossing);
     if (candidates.left_out) drawn_.searched = 0;
     keep_intersections(candidates.step);
     if (drawn_.searched < 1) partial_.add_stage("finding intersections");

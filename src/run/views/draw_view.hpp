@@ -21,6 +21,7 @@
 #include "view/projected_scene.hpp"
 #include "views/broken_outs.hpp"
 #include "views/budget.hpp"
+#include "views/known_intersections.hpp"
 #include "views/revolved.hpp"
 #include "views/sections.hpp"
 #include "views/shortcuts.hpp"
@@ -102,13 +103,6 @@ struct ViewTime {
 };
 
 /// A view to draw, and its position on the sheet.
-/// The intersections that the first view of a world has found, for the other views of it.
-struct KnownIntersections {
-  double normalisation, contact, crease_angle, part_angle;  ///< on which they depend
-  std::vector<edges::FaceCrossing> found;
-  report::PlanStep step;
-};
-
 struct ViewInput {
   const world::World& world;  ///< the cut one if the view shows a section
   const CutSection* section;  ///< null if it shows the whole

@@ -70,6 +70,7 @@ struct FeatureEdges {
   std::vector<MetAcrossSlivers> beside_slivers;
   std::vector<ClearContour> clear_contours;
   std::vector<FaceCrossing> crossings;  ///< intersections; lines of threads, with one triangle twice
+  std::vector<FaceCrossing> of_facets;  ///< all that was found, also where surfaces only touch (contacts.hpp)
   double moved = 0;                     ///< greatest distance between ink and the edges that it shows; view units
   double searched = 1;                  ///< fraction of the search for crossings that was completed
   bool too_many_crossings = false;      ///< whether it ended for their number, not for lack of time
@@ -84,8 +85,9 @@ FeatureEdges find_feature_edges(const world::World& world, view::ProjectedScene&
 FeatureEdges find_feature_edges(const world::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                                 const CrossingCandidates& candidates, Progress progress = {});
 
-/// The same, with the intersections that another view of the world has: which faces cross depends on the world, on
-/// `view.map.normalisation`, `view.contact.in_space` and the angles of a crease and a part alone.
+/// The same, with the intersections that another view of the world has: which facets cross depends on the world, on
+/// `view.map.normalisation` and `view.contact.in_space` alone, and where they only touch, on the angles of a crease and
+/// a part.
 FeatureEdges find_feature_edges(const world::World& world, view::ProjectedScene& view, const EdgeOptions& options,
                                 const std::vector<FaceCrossing>& intersections, Progress progress = {});
 

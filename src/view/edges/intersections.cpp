@@ -58,11 +58,26 @@ class Crossings {
     });
   }
 
-  // Triangles of one group do not cross each other.
+  // Of triangles in one group, no crossings are searched: none are left between those that are settled.
   [[nodiscard]] std::vector<int> groups_of(const CrossingCandidates& candidates) const {
-    std::vector<int> groups = flat_faces(world_, points_, contact_, candidates.triangles);
-    if (!candidates.in_patches) return groups;
-    const std::vector<int> patches = graph_patches(world_, points_, contact_, candidates.triangles, groups);
+    const std::vector<char>& is_settled = candidates.known.is_settled;
+    if (is_settled.empty()) return apart(candidates.triangles, candidates.in_patches);
+    const auto settled = [&](int t) { return is_settled[static_cast<std::size_t>(t)] != 0; };
+    std::vector<int> open;
+    std::ranges::remove_copy_if(candidates.triangles, std::back_inserter(open), settled);
+    const std::vector<int> of_open = apart(open, candidates.in_patches);
+    std::vector<int> groups;
+    std::size_t next = 0;
+    for (const int t : candidates.triangles)
+      groups.push_back(settled(t) ? 0 : of_open.empty() ? -1 : of_open[next++] < 0 ? -1 : of_open[next - 1] + 1);
+    return groups;
+  }
+
+  // The groups of triangles that do not cross each other.
+  [[nodiscard]] std::vector<int> apart(const std::vector<int>& triangles, bool in_patches) const {
+    std::vector<int> groups = flat_faces(world_, points_, contact_, triangles);
+    if (!in_patches) return groups;
+    const std::vector<int> patches = graph_patches(world_, points_, contact_, triangles, groups);
     if (patches.empty()) return groups;
     if (groups.empty()) return patches;
     const int first = *std::max_element(groups.begin(), groups.end()) + 1;
@@ -199,6 +214,19 @@ class Crossings {
 
 }  // namespace
 
+KnownCrossings renumbered(const KnownCrossings& known, std::span<const int> numbers, std::size_t count) {
+  KnownCrossings now{{}, std::vector<char>(count, 0)};
+  for (std::size_t t = 0; t < numbers.size(); ++t)
+    if (numbers[t] >= 0) now.is_settled[static_cast<std::size_t>(numbers[t])] = known.is_settled[t];
+  for (FaceCrossing crossing : known.found) {
+    for (int& t : crossing.triangles) t = numbers[static_cast<std::size_t>(t)];
+    if (std::ranges::min(crossing.triangles) < 0) continue;
+    std::ranges::sort(crossing.triangles);
+    now.found.push_back(crossing);
+  }
+  return now;
+}
+
 bool is_low(const Vec3& a, const Vec3& b, const Vec3& c, double contact) {
   const Vec3 ab = b - a, ac = c - a;
   const double area = glm::length(glm::cross(ab, ac));
@@ -223,7 +251,7 @@ UnsetVector<Vec3> normalised_points(const world::World& world, double normalisat
 FaceCrossings find_intersections(const world::World& world, double normalisation, double contact,
                                  const CrossingCandidates& candidates, Progress progress) {
   const std::vector<int>& triangles = candidates.triangles;
-  if (triangles.empty()) return {{}, 1};
+  if (triangles.empty()) return {candidates.known.found, 1};
   if (progress.is_out_of_time()) return {{}, 0};
   Crossings crossings(world, normalisation, contact);
   const search::TriangleTree tree(
@@ -255,7 +283,7 @@ FaceCrossings find_intersections(const world::World& world, double normalisation
       });
   } catch (const OutOfTime&) {  // what was found so far is valid
   }
-  FaceCrossings all{{}, static_cast<double>(finished) / static_cast<double>(tasks.size())};
+  FaceCrossings all{candidates.known.found, static_cast<double>(finished) / static_cast<double>(tasks.size())};
   all.too_many = all.searched < 1 && is_too_much();
   for (const auto& part : found) all.found.insert(all.found.end(), part.begin(), part.end());
   parallel_sort(all.found.begin(), all.found.end());

@@ -457,7 +457,31 @@ void divide_borders(const Model& model, const std::vector<EdgePart>& parts, std:
   }
 }
 
-std::optional<world::Placed> refine_model(const world::Placed& placed, const projection::Projection& projection) {
+// Returns the number of each triangle in the original mesh; -1 unless it and those beside it are as they were.
+std::vector<int> kept_triangles(const mesh::Mesh& mesh, const mesh::Mesh& refined, std::vector<int> wholes) {
+  std::vector<char> is_kept(mesh.polygon.size(), 0), is_beside(mesh.polygon.size(), 0);
+  for (std::size_t t = 0; t < wholes.size(); ++t) {
+    if (refined.triangle(static_cast<int>(t)) == mesh.triangle(wholes[t]))
+      is_kept[static_cast<std::size_t>(wholes[t])] = 1;
+    else
+      wholes[t] = -1;
+  }
+  for (const mesh::MeshEdge& edge : mesh.edges) {
+    const std::span<const int> there = mesh.triangles_of(edge);
+    if (std::ranges::all_of(there, [&](int t) { return is_kept[static_cast<std::size_t>(t)] != 0; })) continue;
+    for (const int t : there) is_beside[static_cast<std::size_t>(t)] = 1;
+  }
+  for (int& t : wholes)
+    if (t >= 0 && is_beside[static_cast<std::size_t>(t)] != 0) t = -1;
+  return wholes;
+}
+
+struct RefinedModel {
+  world::Placed placed;
+  std::vector<int> kept;  ///< RefinedWorld::kept, of this model
+};
+
+std::optional<RefinedModel> refine_model(const world::Placed& placed, const projection::Projection& projection) {
   if (placed.part == nullptr || placed.part->faces.empty()) return std::nullopt;
   const mesh::Mesh& mesh = *placed.mesh;
   Model model{mesh, *placed.part, world::faces_of_triangles(placed), {}};
@@ -474,7 +498,7 @@ std::optional<world::Placed> refine_model(const world::Placed& placed, const pro
   add_vertices(model, crossings.splits, *refined);
   auto part = std::make_shared<PartFaces>(*placed.part);
   part->face_of_triangle.clear();
-  const std::vector<int> wholes = split_triangles(model, crossings, *refined, *part);
+  std::vector<int> wholes = split_triangles(model, crossings, *refined, *part);
   FlatTriangles(model, wholes, *refined).unfold();
   const std::vector<EdgePart> parts = make_edges(model, crossings.splits, *refined);
   world::Placed result = placed;
@@ -483,12 +507,15 @@ std::optional<world::Placed> refine_model(const world::Placed& placed, const pro
     divide_borders(model, parts, refined->edges.size(), *part);
     result.part = std::move(part);
   }
+  std::vector<int> kept = kept_triangles(mesh, *refined, std::move(wholes));
   result.mesh = std::move(refined);
-  return result;
+  return RefinedModel{std::move(result), std::move(kept)};
 }
 
-// Adds a model of which a world has the vertices up to those that refinement made.
-void append(world::World& refined, const world::World& world, std::size_t model, world::Placed placed) {
+// Adds a model of which a world has the vertices up to those that refinement made; nothing is split if `found` is not
+// given.
+void append(RefinedWorld& refined, const world::World& world, std::size_t model, std::optional<RefinedModel> found) {
+  world::Placed placed = found ? std::move(found->placed) : world.models[model];
   const int first = refined.first_vertex.back();
   const auto begin = world.points.begin() + world.first_vertex[model];
   const auto end = world.points.begin() + world.first_vertex[model + 1];
@@ -500,6 +527,8 @@ void append(world::World& refined, const world::World& world, std::size_t model,
     std::array<int, 3> corners = mesh.triangle(t);
     for (int& v : corners) v += first;
     refined.triangles.push_back(corners);
+    const int kept = found ? found->kept[static_cast<std::size_t>(t)] : t;
+    refined.kept.push_back(kept < 0 ? -1 : world.first_triangle[model] + kept);
   }
   refined.first_vertex.push_back(static_cast<int>(refined.points.size()));
   refined.first_triangle.push_back(static_cast<int>(refined.triangles.size()));
@@ -509,13 +538,12 @@ void append(world::World& refined, const world::World& world, std::size_t model,
 
 }  // namespace
 
-std::optional<world::World> refine_world(const world::World& world, const projection::Projection& projection) {
-  std::vector<std::optional<world::Placed>> found;
+std::optional<RefinedWorld> refine_world(const world::World& world, const projection::Projection& projection) {
+  std::vector<std::optional<RefinedModel>> found;
   for (const world::Placed& placed : world.models) found.push_back(refine_model(placed, projection));
   if (std::ranges::none_of(found, [](const auto& one) { return one.has_value(); })) return std::nullopt;
-  world::World refined = world::without_models(world);
-  for (std::size_t model = 0; model < found.size(); ++model)
-    append(refined, world, model, found[model] ? std::move(*found[model]) : world.models[model]);
+  RefinedWorld refined{world::without_models(world), {}};
+  for (std::size_t model = 0; model < found.size(); ++model) append(refined, world, model, std::move(found[model]));
   return refined;
 }
 

@@ -5,12 +5,16 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "base/parallel.hpp"
 #include "edges/crossing_candidates.hpp"
 #include "edges/limits.hpp"
+#include "refine/refine_world.hpp"
 #include "shapes.hpp"
 
 namespace epura::test::intersections_test {
@@ -101,6 +105,35 @@ TEST(Intersections, EndWhereThereAreTooMany) {
   const ThreadLimit one(1);
   EXPECT_TRUE(std::ranges::equal(crossings_of_lattice(1800).found, some.found,
                                  [](const auto& a, const auto& b) { return a.triangles == b.triangles; }));
+}
+
+// Intersections that one view has found are those of another, but where one of them splits triangles.
+TEST(Intersections, OfRefinedViewsAreShared) {
+  Shape across = revolved({{0, -20}, {7, -20}, {7, 20}, {0, 20}}, 17);
+  for (auto& p : across.points) p = {p[2], p[0], p[1] + 20};
+  const world::World world =
+      recognised(world_of(std::vector<Shape>{revolved({{0, 0}, {10, 0}, {10, 40}, {0, 40}}, 24), across}));
+  const double normalisation = 1.0 / 64, contact = 1e-9;
+  std::optional<edges::KnownCrossings> known;  // by triangles that are not split
+  for (const double turn : {0.3, 1.1, 2.7}) {
+    const auto refined = refine::refine_world(world, orthographic({std::sin(turn), -std::cos(turn), 0.7}));
+    ASSERT_TRUE(refined) << turn;
+    edges::CrossingCandidates candidates = edges::crossing_candidates(*refined, normalisation, contact);
+    const std::vector<edges::FaceCrossing> all =
+        edges::find_intersections(*refined, normalisation, contact, candidates).found;
+    ASSERT_GT(all.size(), 20U);
+    if (known) {
+      std::vector<int> numbers(world.triangles.size(), -1);
+      for (std::size_t t = 0; t < refined->kept.size(); ++t)
+        if (refined->kept[t] >= 0) numbers[refined->kept[t]] = static_cast<int>(t);
+      candidates.known = edges::renumbered(*known, numbers, refined->triangles.size());
+      EXPECT_GT(candidates.known.found.size(), 10U) << turn;
+      EXPECT_LT(candidates.known.found.size(), all.size()) << turn;
+      EXPECT_EQ(edges::find_intersections(*refined, normalisation, contact, candidates).found, all) << turn;
+    }
+    known = edges::renumbered({all, std::vector<char>(refined->triangles.size(), 1)}, refined->kept,
+                              world.triangles.size());
+  }
 }
 
 }  // namespace

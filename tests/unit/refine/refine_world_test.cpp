@@ -104,6 +104,44 @@ void expect_split(const world::World& world, const Formula& formula, const proje
   }
 }
 
+// The corners of a triangle and of those beside it, whichever number these have.
+std::vector<std::array<int, 3>> surroundings(const mesh::Mesh& mesh, int triangle) {
+  const auto sorted = [&](int t) {
+    std::array<int, 3> corners = mesh.triangle(t);
+    std::ranges::sort(corners);
+    return corners;
+  };
+  std::vector<std::array<int, 3>> found;
+  for (const mesh::MeshEdge& edge : mesh.edges) {
+    const auto there = mesh.triangles_of(edge);
+    if (std::ranges::count(there, triangle) > 0)
+      for (const int t : there) found.push_back(sorted(t));
+  }
+  std::ranges::sort(found);
+  return found;
+}
+
+TEST(RefineWorld, TellsWhichTrianglesStayAsTheyAre) {
+  const world::World world =
+      recognised(world_of(std::vector<Shape>{box({30, 0, 0}, {1, 2, 3}), frustum(10, 6, height, 24)}));
+  const auto refined = refine_world(world, orthographic(tilted(60, 10)));
+  ASSERT_TRUE(refined);
+  ASSERT_EQ(refined->kept.size(), refined->triangles.size());
+  std::vector<int> times(world.triangles.size(), 0);
+  for (std::size_t t = 0; t < refined->kept.size(); ++t) {
+    const int before = refined->kept[t];
+    if (before < 0) continue;
+    ++times[static_cast<std::size_t>(before)];
+    const int model = world.model_of_triangle(before);
+    EXPECT_EQ(surroundings(*refined->models[model].mesh, static_cast<int>(t) - refined->first_triangle[model]),
+              surroundings(*world.models[model].mesh, before - world.first_triangle[model]));
+  }
+  EXPECT_EQ(std::ranges::count(times, 2), 0);
+  EXPECT_EQ(std::count(times.begin(), times.begin() + world.first_triangle[1], 1), world.first_triangle[1]);
+  // At each of two contours, two facets and those beside them; at both ends of it, one of the plane and two beside it.
+  EXPECT_EQ(std::ranges::count(times, 0), 2 * (4 + 2 * 3));
+}
+
 TEST(RefineWorld, SplitsFrustumsAlongTheirContours) {
   for (const double top : {10.0, 6.0, 1.0})
     for (const int sides : {12, 17, 48})
