@@ -8,6 +8,8 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <span>
 #include <tuple>
 #include <utility>
@@ -15,6 +17,7 @@
 
 #include "base/error.hpp"
 #include "base/groups.hpp"
+#include "base/parallel.hpp"
 #include "mesh/edge_table.hpp"
 #include "refine/contour_plane.hpp"
 #include "refine/limits.hpp"
@@ -289,8 +292,7 @@ class FlatTriangles {
     for (int t = 0; t < refined_.triangle_count(); ++t)
       if (is_new(t) && is_folded(t)) open.push_back(t);
     if (open.empty()) return;
-    for (int t = 0; t < refined_.triangle_count(); ++t)
-      if (plane_of(t) != none) set_sides(t, -1, t);
+    find_sides(open);
     while (!open.empty()) {
       const int t = open.back();
       open.pop_back();
@@ -348,6 +350,22 @@ class FlatTriangles {
   }
   void set_corners(int triangle, const std::array<int, 3>& corners) {
     std::ranges::copy(corners, refined_.corners.begin() + 3 * std::ptrdiff_t{triangle});
+  }
+
+  // Finds what lies beside the sides of planes in which triangles are folded over.
+  void find_sides(const std::vector<int>& folded) {
+    std::set<int> planes;
+    for (const int t : folded) planes.insert(plane_of(t));
+    std::vector<int> others;
+    for (int t = 0; t < refined_.triangle_count(); ++t) {
+      if (planes.contains(plane_of(t)))
+        set_sides(t, -1, t);
+      else if (plane_of(t) != none)
+        others.push_back(t);
+    }
+    for (const int t : others)
+      for (std::size_t i = 0; i < 3; ++i)
+        if (const auto at = beside_.find(side(refined_.triangle(t), i)); at != beside_.end()) at->second.push_back(t);
   }
 
   // Flips the side opposite to a corner if that is new and the triangles at the side overlap less then. Returns the
@@ -539,8 +557,10 @@ void append(RefinedWorld& refined, const world::World& world, std::size_t model,
 }  // namespace
 
 std::optional<RefinedWorld> refine_world(const world::World& world, const projection::Projection& projection) {
-  std::vector<std::optional<RefinedModel>> found;
-  for (const world::Placed& placed : world.models) found.push_back(refine_model(placed, projection));
+  std::vector<std::optional<RefinedModel>> found(world.models.size());
+  parallel_for(found.size(), 1, [&](std::size_t begin, std::size_t end) {
+    for (std::size_t model = begin; model < end; ++model) found[model] = refine_model(world.models[model], projection);
+  });
   if (std::ranges::none_of(found, [](const auto& one) { return one.has_value(); })) return std::nullopt;
   RefinedWorld refined{world::without_models(world), {}};
   for (std::size_t model = 0; model < found.size(); ++model) append(refined, world, model, std::move(found[model]));
