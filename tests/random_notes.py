@@ -215,6 +215,36 @@ def all_fillets(w, v):
                  "UNLESS OTHERWISE SPECIFIED ALL FILLETS ARE R{}", "sofern nicht anders angegeben alle Rundungen R{}").format(r)
 
 
+def thickness(w, v):
+    return w.one("PLATE {} THICK", "Thickness {}", "THICKNESS: {} mm", "Dicke {} mm", "Blechdicke {}", "Platte {} dick", "Épaisseur {} mm", "tôle ép. {}",
+                 "Spessore {}", "Espesor {} mm", "t = {}").format(w.n(v["thick"]))
+
+
+def ribs(w, v):
+    return w.one("all ribs {} thick", "ALL RIBS {} THK", "alle Rippen {} dick", "Rippen {} mm dick", "toutes les nervures ép. {}",
+                 "RIBS {} THICK UNLESS OTHERWISE SPECIFIED").format(w.n(v["thick"]))
+
+
+def overall(w, v):
+    return w.one("OVERALL LENGTH {}", "Length {} mm", "Länge {}", "Gesamtlänge {} mm", "longueur {}", "longueur hors tout {} mm", "lunghezza {}",
+                 "L = {}", "{} long").format(w.n(v["length"]))
+
+
+def all_threads(w, v):
+    text = f"M{number(v['size'])}"
+    return w.one("ALL THREADS {}", "all threads {}-6H", "alle Gewinde {}", "tous les filetages {}", "THREADS {} UNLESS OTHERWISE SPECIFIED",
+                 "Gewinde {}, soweit nicht anders angegeben").format(text)
+
+
+def some_threads(w, v):
+    text = f"M{number(v['size'])}" + w.one(" ↧{}", " x {} deep", " Tiefe {}").format(w.n(v["depth"]))
+    return f"{v['count']} " + w.one("Gewinde", "THREADS", "filetages") + " " + text if w.lot.random() < 0.5 else f"{v['count']}× " + text
+
+
+def blind_holes(w, v):
+    return w.one("ALL BLIND HOLES {} DEEP", "alle Sacklöcher {} tief", "Sacklöcher {} tief", "tous les trous borgnes prof. {}").format(w.n(v["depth"]))
+
+
 def all_holes(w, v):
     return w.one("ALL HOLES THRU", "all holes through", "alle Bohrungen durchgehend", "tous trous débouchants")
 
@@ -245,6 +275,7 @@ def plate(lot):
     kinds = ["through", "blind", "point", "counterbore", "countersink", "tapped"]
     lot.shuffle(kinds)
     any_blind = False
+    threads, blind_depths = [], set()
     for kind in kinds:
         count = lot.choice((1, 2, 2, 3))
         if len(cells) < count:
@@ -273,6 +304,16 @@ def plate(lot):
         x, y = places[0]
         rim, mouth = (x + d / 2, y, height), (x + big / 2, y, height)
         any_blind = any_blind or kind in ("blind", "point", "tapped")
+        if kind in ("blind", "point", "tapped"):
+            blind_depths.add(depth)
+        where = rim if kind == "through" else lot.choice((rim, (x, y, height)))  # or in the middle, where the view shows a floor
+        if kind in ("through", "blind", "point"):
+            say, changes = (through_hole, []) if kind == "through" else (blind_hole, [off("depth"), put("through", True)])
+            facts.append(Fact(where, say, [off("d"), more, *changes], d=d, count=count, depth=0 if kind == "through" else depth))
+            facts.append(Fact(None, say, [off("d", 30, 40), more, *changes], d=d, count=count,
+                              depth=0 if kind == "through" else depth))
+        if kind == "countersink":
+            facts.append(Fact(f"hole at {x} {y}", through_hole, [off("d", 2, 4, step=0.5), more], d=d, count=count))
         if kind == "through":
             for fit in (False, True):
                 wrong = [put("wrong", 6)] if fit and d * 2 % 2 == 0 else []
@@ -287,8 +328,13 @@ def plate(lot):
             other = put("angle", {90: 100, 82: 90, 120: 90}[angle])
             facts.append(Fact(mouth, countersunk, [off("d"), more, other, off("big"), put("bored", True)], d=d, count=count, angle=angle, big=big))
         if kind == "tapped":
+            other = {4: 6, 5: 8, 6: 8, 8: 12, 10: 6, 12: 8}[size]
+            if lot.random() < 0.7:  # it is known how deep it is
+                threads = [{"thread": f"M{size}", "depth": depth - 3, "at": (x, y, height)} for x, y in places]
+                facts.append(Fact(None, all_threads, [put("size", other)], size=size))
+                facts.append(Fact(None, some_threads, [off("depth"), put("size", other), more], count=count, size=size, depth=depth - 3))
             for drilled in (0, depth):
-                changes = [more, put("size", {4: 6, 5: 8, 6: 8, 8: 12, 10: 6, 12: 8}[size]), put("depth", depth + 3)]
+                changes = [more, put("size", other), off("depth") if threads else put("depth", depth + 3)]
                 changes += [off("drill", 2, 6, step=0.5), off("drilled")] if drilled else []
                 facts.append(Fact(rim, tapped, changes, count=count, size=size, pitch=lot.choice((0, PITCH[size])), depth=depth - 3, drilled=drilled, drill=d))
     r = lot.choice([value for value in (2, 3, 5, 6) if value not in diameters] + [d / 2 for d in diameters[:1]])
@@ -301,12 +347,26 @@ def plate(lot):
         facts.append(Fact(None, all_fillets, [off("r")], r=r))
     else:
         facts.append(Fact((r / 2, r / 2, height), chamfered, [off("leg"), put("angle", 30)], leg=r, angle=45))
+    facts.append(Fact(None, thickness, [off("thick"), put("thick", width), put("thick", length)], thick=height))
+    facts.append(Fact(None, overall, [off("length")], length=length))
+    facts.append(Fact(None, lambda w, v: ribs(w, v) if v["false"] else "", [put("false", True)], false=False, thick=height + 7))
+    if len(blind_depths) == 1:
+        facts.append(Fact(None, blind_holes, [off("depth")], depth=blind_depths.pop()))
     if any_blind:
         facts.append(Fact(None, lambda w, v: all_holes(w, v) if v["false"] else "", [put("false", True)], false=False))
     for ends, value in ((((0, width, height), (length, width, height)), length), (((0, 0, 0), (length, 0, 0)), length)):
         changes = [off("length"), put("sign", "⌀{n}"), put("sign", "R{n}"), put("sign", "{n}°"), put("sign", "{n} THRU"), put("sign", "M{n}")]
         facts.append(Fact(ends, length_text, changes, length=value))
-    return steps, facts
+    return steps, facts, threads
+
+
+def ribbed(lot):
+    length, width, height, thick, count = 100, 60, lot.randrange(8, 13), lot.choice((3, 4, 5, 6)), lot.choice((2, 3))
+    steps = [{"kind": "box", "add": True, "at": (0, 0, 0), "size": (length, width, height)}]
+    steps += [{"kind": "box", "add": True, "at": (10 + 30 * i, 0, height), "size": (thick, width, 30)} for i in range(count)]
+    facts = [Fact(None, ribs, [off("thick", 20, 30, step=0.1)], thick=thick), Fact(None, thickness, [off("thick", 13, 17, step=0.1)], thick=height),
+             Fact(None, overall, [off("length", 3, 7)], length=length)]
+    return steps, facts, []
 
 
 def flange(lot):
@@ -327,28 +387,41 @@ def flange(lot):
     facts.append(Fact((0, d / 2, height), disc, [off("depth"), off("d", 2, 4)], d=d, depth=height))
     facts.append(Fact((0, d / 2 - leg / 2, height + leg / 2), chamfered, [off("leg"), put("angle", 30)], leg=leg, angle=45))
     facts.append(Fact((bore / 2, 0, top), through_hole, [off("d"), put("depth", height - 4)], d=bore, count=1, fit=lot.random() < 0.5))
-    return steps, facts
+    facts.append(Fact(None, on_circle, [off("d", 30, 40), more, off("circle", 2, 6)], d=hole, count=count, circle=circle, even=lot.random() < 0.5))
+    return steps, facts, []
 
 
-FAMILIES = (plate, flange)
+FAMILIES = (plate, flange, plate, flange, plate, ribbed)
 
 
 def texts_of(number, seed):
-    """The steps of a part, and texts with whether they are true and where they are, each text once."""
+    """The steps of a part, its threads, and texts with whether they are true and where they are, each text once."""
     lot = random.Random(f"{seed}/{number}")
-    steps, facts = FAMILIES[number % len(FAMILIES)](lot)
+    steps, facts, threads = FAMILIES[number % len(FAMILIES)](lot)
     texts = {}
     for fact in facts:
         for false in (False, True, False, True, False, True):
             text = fact.text(lot, false)
             if text and text not in texts:
                 texts[text] = (not false, fact.place)
-    return steps, texts
+    return steps, threads, texts
 
 
-def scene_of(file, texts, alone):
+def leader_end(place, names):
+    """A point, or the name of the hole that is nearest."""
+    if not isinstance(place, str):
+        return f"{{point = [{', '.join(f'{value:.6g}' for value in place)}]}}"
+    x, y = map(float, place.split()[2:])
+    return json.dumps(min(names, key=lambda name: math.dist(names[name], (x, y))))
+
+
+def scene_of(file, part, alone, names):
     """With the notes of holes and radii, or with those without a leader, which do not mean what others give."""
+    _, threads, texts = part
     lines = ["[sheet]", 'size = "A0"', "[[model]]", f'file = "{file}"', "[[view]]", 'projection = "front"', "[[view]]", 'projection = "top"']
+    for one in threads:
+        at = ", ".join(map(number, one["at"]))
+        lines += ["[[thread]]", f'thread = "{one["thread"]}"', f"depth = {one['depth']}", f"at = {{point = [{at}]}}", "callout = false"]
     for text, (_, place) in texts.items():
         quoted = json.dumps(text, ensure_ascii=False)
         if (place is None) != alone:
@@ -359,9 +432,16 @@ def scene_of(file, texts, alone):
             ends = [f"{end} = {{point = [{', '.join(map(number, at))}]}}" for end, at in zip(("from", "to"), place)]
             lines += ["[[dimension]]", 'view = "top"', 'type = "linear"', 'direction = "horizontal"', *ends, f"text = {quoted}"]
         else:
-            at = ", ".join(f"{value:.6g}" for value in place)
-            lines += ["[[note]]", f"text = {quoted}", f"to = {{point = [{at}]}}", 'view = "top"']
+            lines += ["[[note]]", f"text = {quoted}", f"to = {leader_end(place, names)}", 'view = "top"']
     return "\n".join(lines) + "\n"
+
+
+def places_of_holes(epura, part, texts):
+    """The places in the plane of the mouths of holes, by the names that `epura info` gives them, if a text needs them."""
+    if not any(isinstance(place, str) for _, place in texts.values()):
+        return {}
+    run = subprocess.run([epura, "info", str(part), "--json", "-"], capture_output=True, text=True, timeout=300, check=True)
+    return {f"hole {one['number']}": tuple(one["from"][:2]) for one in json.loads(run.stdout)["models"][0]["holes"]}
 
 
 def judged(epura, scene):
@@ -391,17 +471,18 @@ def main():
         folder = options.keep or Path(temporary)
         folder.mkdir(parents=True, exist_ok=True)
         parts = {n: texts_of(n, options.seed) for n in range(options.first, options.first + options.count)}
-        wanted = [json.dumps({"file": str(folder / f"{n}.step"), "steps": steps}) for n, (steps, _) in parts.items()]
+        wanted = [json.dumps({"file": str(folder / f"{n}.step"), "steps": steps}) for n, (steps, _, _) in parts.items()]
         make = subprocess.run([sys.executable, "-c", MADE_BY_FREECAD], input="\n".join(wanted) + "\n", text=True, capture_output=True, timeout=1800,
                               env={**os.environ, "PYTHONPATH": "/usr/lib/freecad-python3/lib"}, check=False)
         if make.returncode != 0:
             raise SystemExit(make.stderr[-2000:])
         counts = collections.Counter()
-        for n, (_, texts) in parts.items():
-            found = {}
+        for n, part in parts.items():
+            found, texts = {}, part[2]
+            names = places_of_holes(options.epura, folder / f"{n}.step", texts)
             for alone in (False, True):
                 scene = folder / f"{n}{'-general' if alone else ''}.toml"
-                scene.write_text(scene_of(f"{n}.step", texts, alone))
+                scene.write_text(scene_of(f"{n}.step", part, alone, names))
                 found |= judged(options.epura, scene)
             for text, (is_true, _) in texts.items():
                 kinds = [kind for kind, _ in found.get(text, [])]

@@ -140,6 +140,7 @@ sheet::LeaderNote leader_note(const scene::NoteText& note, const ViewCallout& ca
   sheet::LeaderNote found;
   found.text = one_line(note);
   if (const Vec3* at = std::get_if<Vec3>(&callout.to)) found.at = *at;
+  if (const auto& rim = callout.description.rim) found.rim = {rim->centre, rim->axis, rim->radius, {}, true};
   return found;
 }
 

@@ -16,8 +16,9 @@ namespace epura::sheet {
 
 /// A note whose leader ends in a view.
 struct LeaderNote {
-  std::string text;          ///< its lines, one behind the other
-  std::optional<Vec3> at{};  ///< where the leader ends; nothing if that is a place on the page
+  std::string text;                  ///< its lines, one behind the other
+  std::optional<Vec3> at{};          ///< where the leader ends; nothing if that is a place on the page
+  std::optional<WorldCircle> rim{};  ///< of a hole that is named as its end
 };
 
 struct DimensionsInView {

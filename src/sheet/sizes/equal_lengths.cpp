@@ -2,6 +2,7 @@
 #include "sizes/equal_lengths.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -40,17 +41,24 @@ EqualLengths::EqualLengths(const std::vector<std::optional<world::PlacedPart>>& 
   for (std::size_t model = 0; model < parts.size(); ++model) {
     if (!parts[model]) continue;
     const std::size_t first = faces_.size();
-    for (const surfaces::PartFace& one : parts[model]->faces) faces_.push_back({one.surface, {}, one.to - one.from});
+    for (const surfaces::PartFace& one : parts[model]->faces) faces_.push_back({one.surface, {}, one.to - one.from, 0});
     const auto triangle = static_cast<std::size_t>(world.first_triangle[model]);
     for (std::size_t t = 0; t < parts[model]->face_of_triangle.size(); ++t)
-      if (const int face = parts[model]->face_of_triangle[t]; face >= 0)
-        for (const int corner : world.triangles[triangle + t])
-          faces_[first + static_cast<std::size_t>(face)].box.add(world.points[static_cast<std::size_t>(corner)]);
+      if (const int number = parts[model]->face_of_triangle[t]; number >= 0) {
+        Face& face = faces_[first + static_cast<std::size_t>(number)];
+        std::array<Vec3, 3> corners;
+        for (std::size_t i = 0; i < 3; ++i) {
+          corners[i] = world.points[static_cast<std::size_t>(world.triangles[triangle + t][i])];
+          face.box.add(corners[i]);
+        }
+        face.area += glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0])) / 2;
+      }
   }
   std::erase_if(faces_, [](const Face& face) {
     return face.surface.kind != SurfaceKind::plane && !surfaces::has_axis(face.surface.kind);
   });
   if (faces_.size() > most_compared) faces_.clear();
+  for (const Face& face : faces_) check(face.area >= 0, "a face has an area");
 }
 
 int EqualLengths::lengths(double value) const {
@@ -66,6 +74,21 @@ int EqualLengths::lengths(double value) const {
       ++count;
     }
   return count;
+}
+
+double EqualLengths::thickness() const {
+  const auto larger = [](const Face* one, const Face& other) { return one == nullptr || other.area > one->area; };
+  const Face *largest = nullptr, *opposite = nullptr;
+  for (const Face& one : faces_)
+    if (one.surface.kind == SurfaceKind::plane && larger(largest, one)) largest = &one;
+  const auto depth = [&](const Face& one) {
+    return glm::dot(largest->surface.origin - one.surface.origin, largest->surface.axis);
+  };
+  for (const Face& one : faces_)
+    if (one.surface.kind == SurfaceKind::plane && glm::dot(one.surface.axis, largest->surface.axis) < 0 &&
+        features::are_parallel(one.surface.axis, largest->surface.axis) && depth(one) > slack_ && larger(opposite, one))
+      opposite = &one;
+  return opposite == nullptr ? 0 : depth(*opposite);
 }
 
 int EqualLengths::angles(double value, const Vec3& corner, const Vec3& leg, const Vec3& sight) const {

@@ -17,6 +17,8 @@ class EqualLengths {
 
   /// Independent distances of a value between parallel planes and axes.
   [[nodiscard]] int lengths(double value) const;
+  /// Between the largest plane and the largest one on the other side of its material; 0 if there is none.
+  [[nodiscard]] double thickness() const;
   /// Pairs of planes and axes at an angle to each other, in degrees; cones with it; and axes along `sight` seen from a
   /// corner, with each other and with the centre lines along and across a leg.
   [[nodiscard]] int angles(double value, const Vec3& corner, const Vec3& leg, const Vec3& sight) const;
@@ -30,6 +32,7 @@ class EqualLengths {
     surfaces::PartSurface surface;
     Box box;        // of its corners
     double length;  // along its axis
+    double area;    // of its facets
   };
   const world::World& world_;
   double slack_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Judges notes of all fillets, holes or chamfers of the models that no other text gives: "all fillets R2".
+// Judges notes without a leader: of all fillets, holes, threads or chamfers of the models that no other text gives, of
+// some of them, and of lengths and thicknesses: "all fillets R2", "4× M8 ↧15", "plate 5 thick".
 #pragma once
 
 #include <vector>
@@ -14,8 +15,10 @@ struct GivenSize {
   NotedText text;
 };
 
+using GivenSizes = std::vector<GivenSize>;
+
 /// What differs from the note has to be given elsewhere; and something has to be as it says.
-void judge_of_kind(Verdict& verdict, const NotedText& note, const std::vector<GivenSize>& given, const HoleWalls& walls,
+void judge_of_kind(Verdict& verdict, const NotedText& note, const GivenSizes& given, const HoleWalls& walls,
                    const world::World& world, const Notation& notation);
 
 }  // namespace epura::sheet

@@ -63,9 +63,11 @@ class HoleJudge {
         verdict.doubt("whether a hole is there");
       return false;
     }
+    const auto threaded = std::ranges::find_if(shafts, [](const HoleWall& wall) { return wall.thread.has_value(); });
+    const HoleWall& own = threaded == shafts.end() ? shafts.front() : *threaded;
     for (const NotedElement& one : elements_) {
-      if (one.role == NotedRole::thread && !is_thread_of(one, 2 * circle.radius, false))
-        verdict.deny("⌀" + number(2 * circle.radius) + " there");
+      if (one.role == NotedRole::thread) verdict.deny(denied_thread(one, own, false));
+      if (one.of_role == NotedRole::thread && own.thread) verdict.deny(denied_length_of_thread(one, {own}));
       if (one.role == NotedRole::length && one.of_role == NotedRole::size && one.of > 0 && !is_length_of(one, shafts))
         verdict.deny(number(shafts.front().length()) + " there");
     }
@@ -81,9 +83,10 @@ class HoleJudge {
   void judge_count(Verdict& verdict, const WorldCircle& circle, const std::optional<HoleChain>& chain) const {
     std::vector<WorldCircle> equal;
     if (chain && std::ranges::any_of(elements_, is_of_hole)) {
-      const bool is_whole = !chain->walls[chain->own].is_fillet();
+      const HoleWall& own = chain->walls[chain->own];
+      const bool is_thread = has(NotedRole::thread) && own.thread.has_value();
       for (const HoleChain& one : walls_.chains_of(circle.radius))
-        if (!(is_whole && one.walls[one.own].is_fillet()) &&
+        if (!(!own.is_fillet() && one.walls[one.own].is_fillet()) && !(is_thread && !one.walls[one.own].thread) &&
             std::ranges::all_of(elements_, [&](const auto& of) { return denied(of, one, {}).empty(); }))
           equal.push_back({one.centre, one.axis, circle.radius, {}, true});
     } else {
@@ -143,11 +146,12 @@ class HoleJudge {
       case NotedRole::angle:
         return denied_angle(one, chain);
       case NotedRole::thread:
-        return denied_thread(one, chain);
+        return denied_thread(one, chain.walls[chain.own], true);
       case NotedRole::drill:
         return denied_drill(one, chain);
       case NotedRole::through:
-        return chain.ends_at(chain.own, 0) || chain.ends_at(chain.own, 1) ? "a blind hole there" : "";
+        if (chain.ends_at(chain.own, 0) || chain.ends_at(chain.own, 1)) return "a blind hole there";
+        return is_threaded_through() ? denied_end_of_thread(chain) : "";
       case NotedRole::blind:
         return chain.ends_at(chain.own, 0) || chain.ends_at(chain.own, 1) ? "" : "a through hole there";
       default:
@@ -196,6 +200,7 @@ class HoleJudge {
     if (!at) return "";  // the recess itself is denied
     const HoleWall& wall = chain.walls[*at];
     const bool is_thread = one.of_role == NotedRole::thread;
+    if (is_thread && wall.thread) return denied_length_of_thread(one, chain.walls);
     std::string has;
     for (const std::size_t end : {0, 1}) {
       if (!chain.ends_at(*at, static_cast<int>(end))) continue;
@@ -234,9 +239,37 @@ class HoleJudge {
     return diameter >= core_of_thread * one.least && diameter <= one.least;
   }
 
-  [[nodiscard]] std::string denied_thread(const NotedElement& one, const HoleChain& chain) const {
-    const double diameter = 2 * chain.walls[chain.own].widest();
-    return is_thread_of(one, diameter, true) ? "" : "⌀" + number(diameter) + " there";
+  // As the scene or the file states it, if it does; otherwise what may be one.
+  [[nodiscard]] std::string denied_thread(const NotedElement& one, const HoleWall& wall, bool internal) const {
+    const double diameter = 2 * wall.widest();
+    if (!wall.thread) return is_thread_of(one, diameter, internal) ? "" : "⌀" + number(diameter) + " there";
+    const scene::Thread& form = wall.thread->form;
+    const bool is_pitch = !(one.pitch > 0) || std::abs(one.pitch - form.pitch) <= definition::same_size * form.pitch;
+    return is_pitch && one.allows(form.diameter, definition::same_size * form.diameter) ? "" : form.text + " there";
+  }
+
+  // From the end of the thread to the beginning of its wall, or of that of a wall before it, of which `walls` are all.
+  [[nodiscard]] std::string denied_length_of_thread(const NotedElement& one, const std::vector<HoleWall>& walls) const {
+    const auto wall = std::ranges::find_if(walls, [](const HoleWall& own) { return own.thread.has_value(); });
+    check(wall != walls.end(), "a thread is stated");
+    const std::array<double, 2>& at = wall->thread->at;
+    const bool is_from_low = at[0] <= wall->at[0] + walls_.slack(),
+               is_from_high = at[1] >= wall->at[1] - walls_.slack();
+    for (const double length :
+         {at[1] - at[0], is_from_high ? walls.back().at[1] - at[0] : 0, is_from_low ? at[1] - walls.front().at[0] : 0})
+      if (one.allows(length, walls_.slack() + definition::same_size * length)) return "";
+    return wall->thread->form.text + " ↧" + number(at[1] - at[0]) + " there";
+  }
+
+  // "M8 THRU" is said of the thread, "M8 ↧15/⌀6.8 THRU" of its drill.
+  [[nodiscard]] bool is_threaded_through() const {
+    return has(NotedRole::thread) && !has(NotedRole::drill) && !has(NotedRole::depth);
+  }
+
+  [[nodiscard]] std::string denied_end_of_thread(const HoleChain& chain) const {
+    const HoleWall& wall = chain.walls[chain.own];
+    if (!wall.thread || wall.thread->at[1] - wall.thread->at[0] >= wall.length() - walls_.slack()) return "";
+    return wall.thread->form.text + " ↧" + number(wall.thread->at[1] - wall.thread->at[0]) + " there";
   }
 
   // What is drawn as wide as the thread may be drilled narrower.

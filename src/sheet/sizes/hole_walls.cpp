@@ -119,6 +119,7 @@ std::vector<HoleWall> HoleWalls::walls_about(const WorldCircle& circle, int mode
                   features::radius_doubt(face),
                   face.sweep};
     if (sense < 0) std::swap(wall.at[0], wall.at[1]), std::swap(wall.radius[0], wall.radius[1]);
+    wall.thread = thread_on(model, wall.face, sense < 0 ? Vec2(wall.at[1], wall.at[0]) : Vec2(wall.at[0], wall.at[1]));
     const auto same = std::find_if(walls.begin(), walls.end(), [&](const HoleWall& other) {
       return std::abs(other.angle - wall.angle) <= definition::same_size &&
              std::abs(other.radius[0] - wall.radius[0]) <= slack_ + wall.doubt && other.at[0] <= wall.at[1] + slack_ &&
@@ -130,10 +131,22 @@ std::vector<HoleWall> HoleWalls::walls_about(const WorldCircle& circle, int mode
     }
     same->at = {std::min(same->at[0], wall.at[0]), std::max(same->at[1], wall.at[1])};
     same->sweep += wall.sweep;
+    if (!same->thread) same->thread = wall.thread;
   }
   for (const HoleWall& wall : walls) check(wall.at[0] <= wall.at[1], "a wall goes up along the axis");
   std::sort(walls.begin(), walls.end(), [](const HoleWall& a, const HoleWall& b) { return a.at < b.at; });
   return walls;
+}
+
+// `ends`: of the face, the lower one along the axis of its surface first.
+std::optional<WallThread> HoleWalls::thread_on(int model, int face, const Vec2& ends) const {
+  for (const scene::ThreadedFace& one : world_.models[static_cast<std::size_t>(model)].threads) {
+    if (one.face != face) continue;
+    const double from = one.from_high ? ends.y : ends.x, to = one.from_high ? ends.x : ends.y;
+    const auto [low, high] = std::minmax({from, from + (to < from ? -one.length : one.length)});
+    return WallThread{one.thread, {low, high}};
+  }
+  return std::nullopt;
 }
 
 std::optional<HoleChain> HoleWalls::chain_from(const WorldCircle& circle, int model, int face) const {
@@ -410,6 +423,30 @@ std::vector<FaceOfModel> HoleWalls::faces_at(const Vec3& point, double within) c
       if (distance_from_triangle(point, corners_of(model, t)) > doubt) continue;
       is_known[static_cast<std::size_t>(number)] = 1;
       found.push_back({model, number});
+    }
+  }
+  return found;
+}
+
+std::optional<WorldCircle> HoleWalls::circle_of(const LeaderNote& note) const {
+  if (note.rim || !note.at) return note.rim;
+  auto circle = circle_through(*note.at);
+  return circle ? circle : circle_about(*note.at);
+}
+
+// The narrowest cylinder of a hole about a point of its axis.
+std::optional<WorldCircle> HoleWalls::circle_about(const Vec3& point) const {
+  std::optional<WorldCircle> found;
+  for (const auto& part : parts_) {
+    if (!part) continue;
+    for (const PartFace& face : part->faces) {
+      const PartSurface& one = face.surface;
+      const WorldCircle circle{point, one.axis, one.radius, {}, true};
+      const double at = glm::dot(point - one.origin, one.axis);
+      const bool is_there = at >= face.from - slack_ && at <= face.to + slack_;
+      if (is_wall(face) && one.kind == SurfaceKind::cylinder && is_there && are_about_one_axis(one, circle, slack_) &&
+          (!found || circle.radius < found->radius))
+        found = circle;
     }
   }
   return found;

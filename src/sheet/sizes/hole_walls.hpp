@@ -8,13 +8,20 @@
 #include <optional>
 #include <vector>
 
-#include "sizes/anchors.hpp"
+#include "scene/threads.hpp"
+#include "sizes/dimensions_in_view.hpp"
 #include "surfaces/limits.hpp"
 #include "world/placed_part.hpp"
 
 namespace epura::sheet {
 
 inline constexpr double least_slot_end = 175;  ///< degrees around an axis; fillets have less
+
+/// Where a screw thread is that a scene or a file states.
+struct WallThread {
+  scene::Thread form;
+  std::array<double, 2> at;  ///< along the axis of its chain, ascending
+};
 
 /// A cylinder or cone around a hole, or around material.
 struct HoleWall {
@@ -24,6 +31,7 @@ struct HoleWall {
   double angle = 0;              ///< of a cone, between opposite sides, degrees
   double doubt = 0;              ///< of its radius
   double sweep = 0;              ///< degrees around the axis; of one that something divides, of all its pieces
+  std::optional<WallThread> thread{};
 
   [[nodiscard]] bool is_cone() const { return angle > 0; }
   [[nodiscard]] double length() const { return at[1] - at[0]; }
@@ -85,8 +93,9 @@ class HoleWalls {
   [[nodiscard]] bool has_round(const WorldCircle& circle) const;
   /// Whether something round reaches from one place to another, across its axis.
   [[nodiscard]] bool is_between(const Vec3& from, const Vec3& to, double radius, const Vec3& along) const;
-  /// The narrowest circle of a round face at a point: of a cone its wider end, of a torus that of its tube.
-  [[nodiscard]] std::optional<WorldCircle> circle_through(const Vec3& point) const;
+  /// Of a hole that is named, its rim; otherwise the narrowest circle of a round face where the leader ends, or of a
+  /// hole in whose middle it ends: of a cone its wider end, of a torus that of its tube.
+  [[nodiscard]] std::optional<WorldCircle> circle_of(const LeaderNote& note) const;
   /// The faces that are so near to a point.
   [[nodiscard]] std::vector<FaceOfModel> faces_at(const Vec3& point, double within) const;
   /// How far off places may be that people write, in order of preference.
@@ -97,6 +106,9 @@ class HoleWalls {
   [[nodiscard]] double slack() const { return slack_; }
 
  private:
+  [[nodiscard]] std::optional<WorldCircle> circle_through(const Vec3& point) const;
+  [[nodiscard]] std::optional<WorldCircle> circle_about(const Vec3& point) const;
+  [[nodiscard]] std::optional<WallThread> thread_on(int model, int face, const Vec2& ends) const;
   [[nodiscard]] std::vector<HoleWall> walls_about(const WorldCircle& circle, int model, int body, bool inwards) const;
   [[nodiscard]] std::array<Vec3, 3> corners_of(std::size_t model, std::size_t triangle) const;
   [[nodiscard]] std::optional<HoleChain> chain_from(const WorldCircle& circle, int model, int face) const;

@@ -29,6 +29,29 @@ std::string normal(std::string text) {
   return is_whole ? text.substr(1, text.size() - 2) : text;
 }
 
+// Of what a text speaks that has a word.
+NotedKind kind_of(WordUse use) {
+  switch (use) {
+    case WordUse::holes:
+    case WordUse::blind:
+      return NotedKind::holes;
+    case WordUse::threads:
+      return NotedKind::threads;
+    case WordUse::fillets:
+      return NotedKind::fillets;
+    case WordUse::chamfers:
+      return NotedKind::chamfers;
+    case WordUse::others:
+      return NotedKind::others;
+    case WordUse::length:
+      return NotedKind::lengths;
+    case WordUse::thickness:
+      return NotedKind::thickness;
+    default:
+      return NotedKind::none;
+  }
+}
+
 NotedRole role_of(WordUse use) {
   switch (use) {
     case WordUse::counterbore:
@@ -39,6 +62,7 @@ NotedRole role_of(WordUse use) {
     case WordUse::depth:
       return NotedRole::depth;
     case WordUse::length:
+    case WordUse::thickness:
       return NotedRole::length;
     case WordUse::through:
       return NotedRole::through;
@@ -97,10 +121,11 @@ class TextReader {
     const std::string_view before = at_.rest;
     const std::optional<NumberText> number = at_.take_number();
     at_.skip_spaces();
-    const auto use = at_.take_use(WordUse::holes, WordUse::places);
+    const auto use =
+        at_.take_use(WordUse::holes, WordUse::places, WordUse::threads, WordUse::fillets, WordUse::chamfers);
     if (number && !number->has_decimals && use) {
       found_.count = std::max(1, static_cast<int>(number->value));
-      if (*use == WordUse::holes) found_.kind = NotedKind::holes;
+      speak_of(*use);
       return true;
     }
     at_.rest = before;
@@ -148,6 +173,7 @@ class TextReader {
       case WordUse::through:
       case WordUse::blind:
         found_.elements.push_back({role_of(use)});
+        speak_of(use);
         return true;
       case WordUse::counterbore:
       case WordUse::countersink:
@@ -155,7 +181,8 @@ class TextReader {
         return take_recess(use);
       case WordUse::depth:
       case WordUse::length:
-        return take_depth(role_of(use));
+      case WordUse::thickness:
+        return take_depth(use);
       case WordUse::times:
         return take_after_times();
       case WordUse::on_circle:
@@ -183,11 +210,17 @@ class TextReader {
   // Of what a note speaks.
   bool take_kind(WordUse use) {
     const bool is_through = !found_.elements.empty() && found_.elements.back().role == NotedRole::through;
-    if (use == WordUse::holes) found_.kind = NotedKind::holes;
-    if (use == WordUse::fillets) found_.kind = NotedKind::fillets;
-    if (use == WordUse::chamfers) found_.kind = NotedKind::chamfers;
+    speak_of(use);
     if (use == WordUse::otherwise || (use == WordUse::all && !is_through)) found_.is_of_all = true;
     return use != WordUse::places;
+  }
+
+  // What has a word of its own is not what its holes, or its sizes, are called by.
+  void speak_of(WordUse use) {
+    const NotedKind kind = kind_of(use);
+    const bool is_size = kind == NotedKind::lengths || kind == NotedKind::thickness;
+    if (found_.kind == NotedKind::none || (kind != NotedKind::none && kind != NotedKind::holes && !is_size))
+      found_.kind = kind;
   }
 
   // Its diameter, perhaps behind its angle: "Senkung 90° ⌀12". What may be either has an angle if it is a countersink.
@@ -225,12 +258,14 @@ class TextReader {
   }
 
   // Behind its sign; alone, it is the size: "t=3".
-  bool take_depth(NotedRole role) {
+  bool take_depth(WordUse use) {
+    at_.take(":");
     at_.skip_spaces();
     const std::optional<NumberText> number = at_.take_number();
     if (!number || at_.take("°")) return false;
     const bool is_alone = found_.elements.empty() && !has_value_;
-    NotedElement& added = add(is_alone ? NotedRole::size : role, NotedSign::none, *number);
+    if (is_alone) speak_of(use);
+    NotedElement& added = add(is_alone ? NotedRole::size : role_of(use), NotedSign::none, *number);
     if (const std::optional<double> unit = at_.take_unit()) scale(added, *unit);
     take_deviations(added);
     return true;
@@ -255,7 +290,7 @@ class TextReader {
     }
     const std::optional<double> unit = at_.take_unit();
     at_.skip_spaces();
-    const auto use = at_.take_use(WordUse::depth, WordUse::length);
+    const auto use = at_.take_use(WordUse::depth, WordUse::length, WordUse::thickness);
     if (use == WordUse::depth && diameter_before().least <= 0) return false;
     NotedElement& added = add(use == WordUse::depth ? NotedRole::depth : NotedRole::length, NotedSign::none, *number);
     if (unit) scale(added, *unit);
@@ -400,7 +435,8 @@ class TextReader {
     if (added.sign != NotedSign::none) return;
     const std::string_view before = at_.rest;
     at_.skip_spaces();
-    const auto use = at_.take_use(WordUse::diameter, WordUse::square, WordUse::depth, WordUse::length);
+    const auto use =
+        at_.take_use(WordUse::diameter, WordUse::square, WordUse::depth, WordUse::length, WordUse::thickness);
     at_.skip_spaces();
     if (!use || number_at(at_.rest) || at_.take_sign() != NotedSign::none) {
       at_.rest = before;
@@ -408,6 +444,8 @@ class TextReader {
     }
     if (*use == WordUse::diameter) added.sign = NotedSign::diameter;
     if (*use == WordUse::square) added.sign = NotedSign::square;
+    if (*use == WordUse::depth && found_.kind == NotedKind::holes) added.role = NotedRole::depth;
+    speak_of(*use);
   }
 
   // "⌀10, 12 tief"
@@ -416,7 +454,7 @@ class TextReader {
     const std::string_view before = at_.rest;
     const std::optional<double> unit = at_.take_unit();
     at_.skip_spaces();
-    const auto use = at_.take_use(WordUse::depth, WordUse::length);
+    const auto use = at_.take_use(WordUse::depth, WordUse::length, WordUse::thickness);
     if (!use) {
       at_.rest = before;
       return false;

@@ -58,7 +58,7 @@ struct NotedElement {
 };
 
 /// Of what general notes speak.
-enum class NotedKind { none, holes, fillets, chamfers };
+enum class NotedKind { none, holes, threads, fillets, chamfers, lengths, thickness, others };
 
 struct NotedText {
   int count = 1;

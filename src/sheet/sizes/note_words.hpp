@@ -14,6 +14,7 @@ enum class WordUse {
   recess,  ///< either
   depth,
   length,
+  thickness,
   through,
   blind,
   diameter,
@@ -28,6 +29,8 @@ enum class WordUse {
   places,
   fillets,
   chamfers,
+  threads,
+  others,  ///< things that faces alone do not tell, such as ribs
   all,
   otherwise,  ///< of all that the sheet does not give elsewhere
   standard,   ///< whose number is behind it

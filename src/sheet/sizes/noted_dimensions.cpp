@@ -70,7 +70,7 @@ std::vector<DimensionsInView> with_noted_sizes(std::span<const DimensionsInView>
     for (const LeaderNote& note : view.notes) {
       const NotedText text = read_text(note.text, notation);
       const auto type = type_of(text);
-      const auto circle = type && note.at ? walls.circle_through(*note.at) : std::optional<WorldCircle>();
+      const auto circle = type ? walls.circle_of(note) : std::optional<WorldCircle>();
       if (!circle) continue;
       const WorldCircle meant = circle_meant(text, *circle, walls);
       const double factor = *type == DimensionType::diameter ? 2 : 1;

@@ -60,7 +60,7 @@ class Judge {
     if (text.elements.empty()) return verdict;
     if (!text.unread.empty()) verdict.doubt("'" + text.unread + "'");
     const NotedElement* size = text.size();
-    const std::optional<WorldCircle> circle = note.at ? walls_.circle_through(*note.at) : std::optional<WorldCircle>();
+    const std::optional<WorldCircle> circle = walls_.circle_of(note);
     const bool is_chamfer = size != nullptr && size->sign == NotedSign::none && has_slope(text);
     if (is_chamfer && note.at) return judge_chamfer(std::move(verdict), text, *note.at);
     if (circle && size == nullptr && text.gives_thread()) {
@@ -86,7 +86,7 @@ class Judge {
   Verdict judge_general(const std::string& text, std::span<const DimensionsInView> views) {
     const NotedText read = read_text(text, notation_);
     Verdict verdict;
-    if (read.kind == NotedKind::none || read.elements.empty()) return verdict;
+    if (read.elements.empty()) return verdict;
     if (!read.unread.empty()) verdict.doubt("'" + read.unread + "'");
     judge_of_kind(verdict, read, given_elsewhere(views), walls_, world_, notation_);
     return verdict;
@@ -110,8 +110,7 @@ class Judge {
         for (const WorldCircle& circle : dimension.circles)
           given.push_back({circle, read_text(written(dimension, view), notation_)});
       for (const LeaderNote& note : view.notes)
-        if (const auto circle = note.at ? walls_.circle_through(*note.at) : std::optional<WorldCircle>())
-          given.push_back({*circle, read_text(note.text, notation_)});
+        if (const auto circle = walls_.circle_of(note)) given.push_back({*circle, read_text(note.text, notation_)});
     }
     return given;
   }

@@ -267,5 +267,63 @@ TEST_F(LintAxes, OfGeneralNotesDenyNoOtherHoles) {
   for (const char* text : {"2 holes ⌀5", "All holes ⌀5"}) EXPECT_TRUE(contains(judged(text), "untrue")) << text;
 }
 
+/// A plate of 80 x 60 x 12 with two blind bores of 6.8, 8 deep, in which M8 is 6 deep, and two countersunk ones of 4.
+class JudgedNotes : public LintAxes {
+ protected:
+  /// What is said of the notes, which are TOML.
+  std::string lint_with(const std::string& notes) {
+    const auto hole = [](const Vec2& centre) {
+      return stepped_hole(centre.x < 40 ? std::vector<Vec2>{{3.4, 12}, {3.4, 4}}
+                                        : std::vector<Vec2>{{4, 12}, {2, 10}, {2, 0}})(centre);
+    };
+    folder_.file("part.obj", plate({40, 30}, 2, 2, 12, hole));
+    const std::string scene = folder_.file(
+        "scene.toml",
+        "views = ['front', 'top']\nmodel = [{file = 'part.obj'}]\n"
+        "thread = [{thread = 'M8', at = {point = [20, 15, 12]}, equal = true, depth = 6, callout = false}]\n" +
+            notes);
+    const Outcome run = epura({"lint", scene}, folder_ / "");
+    EXPECT_TRUE(contains(run.out, "fidelity: ")) << run.err;
+    return run.out;
+  }
+  /// "untrue", "not judged", or nothing, of each text alone.
+  std::string verdict(const std::string& text, const std::string& to = "") {
+    std::string note = "[[note]]\ntext = '" + text + "'\n";
+    if (!to.empty()) note += "view = 'top'\nto = " + to + "\n";
+    const std::string told = lint_with(note);
+    for (const std::string kind : {"untrue", "not judged"})
+      if (contains(told, kind + ": '" + text)) return kind;
+    return "";
+  }
+  void expect(const std::string& kind, const std::vector<std::string>& texts, const std::string& to = "") {
+    for (const std::string& text : texts) EXPECT_EQ(verdict(text, to), kind) << text;
+  }
+};
+
+TEST_F(JudgedNotes, OfThreadsKnowHowDeepTheyAre) {
+  const std::string rim = "{point = [23.4, 15, 12]}", middle = "{point = [20, 15, 12]}";
+  expect("", {"2× M8 ↧6/⌀6.8 ↧8", "M8 6 deep", "M8x1.25 - 6H"}, rim);
+  expect("untrue", {"2× M8 ↧7/⌀6.8 ↧8", "M8 5 deep", "M8 THRU", "M8×1", "3× M8 ↧6"}, rim);
+  expect("", {"M8 6 deep"}, middle);
+  expect("untrue", {"M8 8 deep"}, middle);
+}
+
+TEST_F(JudgedNotes, AtNamedHolesAreOfTheirBores) {
+  expect("", {"⌀4", "2× ⌀4 THRU"}, "'hole 4'");
+  expect("untrue", {"⌀8", "3× ⌀4", "⌀4 ↧10"}, "'hole 4'");
+}
+
+TEST_F(JudgedNotes, WithoutLeadersAreOfThreadsLengthsAndThickness) {
+  expect("",
+         {"Plate 12 thick", "Dicke: 12 mm", "all threads M8", "2 Gewinde M8 ↧6", "Länge 80", "2× M8", "2 trous ⌀4"});
+  expect("untrue", {"Plate 5 thick", "all ribs 3 thick", "all threads M6", "3 Gewinde M8", "2× M8 ↧8", "Länge 99",
+                    "3 trous ⌀4", "alle Sacklöcher 7 tief"});
+}
+
+TEST_F(JudgedNotes, ThatNobodyUnderstandsAreTold) {
+  expect("not judged", {"Mass 0.4 kg", "all ribs 12 thick", "Dicke 60", "60 between supports"});
+  expect("", {"ISO 2768-mK", "deburred"});
+}
+
 }  // namespace
 }  // namespace epura::test::lint_axes_test
