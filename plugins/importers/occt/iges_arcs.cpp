@@ -95,7 +95,7 @@ void align_arcs(const Handle(IGESData_IGESModel) & model) {
       turn = turn_to_x(curve, conic->StartPoint());
     }
     if (!turn || (z > 0 && turn->cosine == 1)) continue;
-    const Handle(IGESGeom_TransformationMatrix) matrix = matrix_of(entity->Location(), *turn, z);
+    const Handle(IGESGeom_TransformationMatrix) matrix = matrix_of(entity->CompoundLocation(), *turn, z);
     if (!circle.IsNull())
       circle->Init(z * circle->ZPlane(), circle->Center().XY(), circle->StartPoint().XY(), circle->EndPoint().XY());
     if (!conic.IsNull()) {

@@ -158,7 +158,13 @@ void expect_rigid_places(const Handle(StepData_StepModel) & model) {
     if (item.IsNull() || item->MappingSource().IsNull()) continue;
     const Handle(StepRepr_Representation) placed = item->MappingSource()->MappedRepresentation();
     const auto by = Handle(StepGeom_CartesianTransformationOperator3d)::DownCast(item->MappingTarget());
-    if (by.IsNull() || placed.IsNull() || !placed->IsKind(STANDARD_TYPE(StepShape_ShapeRepresentation))) continue;
+    if (placed.IsNull() || !placed->IsKind(STANDARD_TYPE(StepShape_ShapeRepresentation))) continue;
+    if (item->MappingTarget().IsNull())
+      throw std::runtime_error(
+          "the mapped item " + label_of(model, item) +
+          " is placed by an entity that Open CASCADE does not read, such as an operator of several "
+          "types: export the shape as it is, without such a place");
+    if (by.IsNull()) continue;
     const bool is_mirrored = axis(by->HasAxis1(), by->Axis1(), {1, 0, 0})
                                  .Crossed(axis(by->HasAxis2(), by->Axis2(), {0, 1, 0}))
                                  .Dot(axis(by->HasAxis3(), by->Axis3(), {0, 0, 1})) < 0;

@@ -126,13 +126,13 @@ TEST(DamagedParts, BrepThatIsCutShortIsRefusedAtOnce) {
 // Open CASCADE leaves the scale out, and turns what is mirrored.
 TEST(DamagedParts, PlacesThatScaleOrMirrorAreRefused) {
   const Folder folder;
-  const auto placed = [&folder](const std::string& axis, const std::string& scale) {
+  const auto placed_by = [&folder](const std::string& target) {
     std::string text = step_box({40, 30, 20},
                                 "#1000=MAPPED_ITEM('',#1001,#1002);\n"
                                 "#1001=REPRESENTATION_MAP(#1003,#50);\n"
-                                "#1002=CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',#1005,#1006,#1004," +
-                                    scale + "," + axis +
-                                    ");\n#1003=AXIS2_PLACEMENT_3D('',#1004,#1007,#1005);\n"
+                                "#1002=" +
+                                    target +
+                                    ";\n#1003=AXIS2_PLACEMENT_3D('',#1004,#1007,#1005);\n"
                                     "#1004=CARTESIAN_POINT('',(0.,0.,0.));\n"
                                     "#1005=DIRECTION('',(1.,0.,0.));\n"
                                     "#1006=DIRECTION('',(0.,1.,0.));\n"
@@ -143,10 +143,17 @@ TEST(DamagedParts, PlacesThatScaleOrMirrorAreRefused) {
     text.replace(text.find(shape), shape.size(), "SHAPE_DEFINITION_REPRESENTATION(#10,#1009)");
     return folder.file("part.step", text);
   };
+  const auto placed = [&placed_by](const std::string& axis, const std::string& scale) {
+    return placed_by("CARTESIAN_TRANSFORMATION_OPERATOR_3D('','','',#1005,#1006,#1004," + scale + "," + axis + ")");
+  };
   EXPECT_NEAR(volume_of(read_by_importer(placed("#1007", "1.")).mesh), 24000, 1e-6);
   EXPECT_NEAR(volume_of(read_by_importer(placed("$", "$")).mesh), 24000, 1e-6);
   EXPECT_TRUE(refusal_of(placed("#1007", "2.")).starts_with("the mapped item #1000 scales the shape that it places"));
   EXPECT_TRUE(refusal_of(placed("#1008", "1.")).starts_with("the mapped item #1000 mirrors the shape that it places"));
+  EXPECT_TRUE(refusal_of(placed_by("(CARTESIAN_TRANSFORMATION_OPERATOR(#1005,#1006,#1004,2.)"
+                                   "CARTESIAN_TRANSFORMATION_OPERATOR_3D(#1007)GEOMETRIC_REPRESENTATION_ITEM()"
+                                   "REPRESENTATION_ITEM('')FUNCTIONALLY_DEFINED_TRANSFORMATION('',''))"))
+                  .starts_with("the mapped item #1000 is placed by an entity that Open CASCADE does not read"));
 }
 
 }  // namespace

@@ -145,5 +145,17 @@ TEST(IgesArcs, MatricesMirrorThem) {
     }
 }
 
+// A quarter of an ellipse along y, which one matrix turns by a quarter about z, and the next one mirrors and moves.
+TEST(IgesArcs, MatricesReferToMatrices) {
+  for (const double way : {1.0, -1.0}) {
+    const Entity outer{124, way < 0 ? 1 : 0, {way, 0, 0, 5, 0, 1, 0, 6, 0, 0, 1, 7}};
+    const Entity inner{124, 0, {0, -1, 0, 0, 1, 0, 0, 0, 0, 0, 1, 0}, 1};
+    const Entity arc{104, 1, {0.01, 0, 1.0 / 400, 0, 0, -1, 3, 10, 0, 0, 20}, 2};
+    const Vec3 start(5, 16, 10), end(5 - 20 * way, 6, 10);
+    SCOPED_TRACE(way);
+    expect_seen(seen_of({outer, inner, arc}), glm::min(start, end), glm::max(start, end), 24.2211);
+  }
+}
+
 }  // namespace
 }  // namespace epura::test::iges_arcs_test
