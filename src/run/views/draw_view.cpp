@@ -264,9 +264,9 @@ Candidates ViewRun::find_candidates_in_time() const {
 }
 
 void ViewRun::keep_intersections(const report::PlanStep& step) {
-  std::vector<edges::FaceCrossing> of_facets = std::exchange(drawn_.of_facets, {});
+  const std::vector<edges::FaceCrossing> contacts = std::exchange(drawn_.contacts, {});
   if (input_.known == nullptr || *input_.known || !options_.edges.intersection || drawn_.searched < 1) return;
-  input_.known->emplace(known_intersections(shared_world(), std::move(of_facets), drawn_, step));
+  input_.known->emplace(known_intersections(shared_world(), drawn_, contacts, step));
 }
 
 // Finds no edges if there is not even time for those of the meshes.

@@ -1,27 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "views/known_intersections.hpp"
 
+#include <algorithm>
 #include <cstddef>
+#include <iterator>
 #include <utility>
+#include <vector>
 
 namespace epura::pipeline {
 
-KnownIntersections known_intersections(const SharedWorld& shared, std::vector<edges::FaceCrossing> of_facets,
-                                       const edges::FeatureEdges& drawn, const report::PlanStep& step) {
+KnownIntersections known_intersections(const SharedWorld& shared, const edges::FeatureEdges& drawn,
+                                       const std::vector<edges::FaceCrossing>& contacts, const report::PlanStep& step) {
+  const world::World& seen = shared.refined != nullptr ? *shared.refined : shared.world;
+  std::vector<edges::FaceCrossing> intersections = edges::intersections_of(drawn);
   KnownIntersections known{shared.view.map.normalisation,
                            shared.view.contact.in_space,
                            shared.options.crease_angle,
                            shared.options.part_angle,
-                           {std::move(of_facets), {}},
+                           {contacts, std::vector<char>(seen.triangles.size(), 1)},
                            std::nullopt,
                            step};
   known.step.times = {};
   if (shared.refined != nullptr) {
-    known.of_facets.is_settled.assign(shared.refined->triangles.size(), 1);
+    std::ranges::copy(intersections, std::back_inserter(known.of_facets.found));
     known.of_facets = edges::renumbered(known.of_facets, shared.refined->kept, shared.world.triangles.size());
   } else {
-    known.of_facets.is_settled.assign(shared.world.triangles.size(), 1);
-    known.whole = edges::intersections_of(drawn);
+    known.whole = std::move(intersections);
   }
   return known;
 }
@@ -32,12 +36,15 @@ bool has_same(const KnownIntersections& known, const SharedWorld& shared) {
 }
 
 edges::KnownCrossings settled_by(const KnownIntersections& known, const SharedWorld& shared) {
-  if (shared.refined == nullptr) return known.of_facets;
+  edges::KnownCrossings all = known.of_facets;
+  if (known.whole) std::ranges::copy(*known.whole, std::back_inserter(all.found));
+  std::sort(all.found.begin(), all.found.end());
+  if (shared.refined == nullptr) return all;
   std::vector<int> numbers(shared.world.triangles.size(), -1);
   const std::vector<int>& kept = shared.refined->kept;
   for (std::size_t t = 0; t < kept.size(); ++t)
     if (kept[t] >= 0) numbers[static_cast<std::size_t>(kept[t])] = static_cast<int>(t);
-  return edges::renumbered(known.of_facets, numbers, shared.refined->triangles.size());
+  return edges::renumbered(all, numbers, shared.refined->triangles.size());
 }
 
 }  // namespace epura::pipeline

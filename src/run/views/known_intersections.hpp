@@ -17,7 +17,7 @@ namespace epura::pipeline {
 struct KnownIntersections {
   double normalisation, contact, crease_angle, part_angle;  ///< on which they depend
   edges::KnownCrossings of_facets;                          ///< by triangles of the world before it is refined
-  std::optional<std::vector<edges::FaceCrossing>> whole;  ///< all that are drawn, if the view did not refine the world
+  std::optional<std::vector<edges::FaceCrossing>> whole;  ///< the others: all that are drawn, where nothing is refined
   report::PlanStep step;                                  ///< of the search, without its times
 };
 
@@ -29,9 +29,9 @@ struct SharedWorld {
   const edges::EdgeOptions& options;
 };
 
-/// Returns what a view has found: all crossings of facets, and the edges that it draws.
-KnownIntersections known_intersections(const SharedWorld& shared, std::vector<edges::FaceCrossing> of_facets,
-                                       const edges::FeatureEdges& drawn, const report::PlanStep& step);
+/// Returns what a view has found: the edges that it draws, and where facets cross though their surfaces only touch.
+KnownIntersections known_intersections(const SharedWorld& shared, const edges::FeatureEdges& drawn,
+                                       const std::vector<edges::FaceCrossing>& contacts, const report::PlanStep& step);
 
 /// Whether a view has the same intersections, apart from refinement.
 bool has_same(const KnownIntersections& known, const SharedWorld& shared);

@@ -73,12 +73,16 @@ void add_mesh_edges(const EdgeSurroundings& around, view::ProjectedScene& view, 
 // Crossings that could not be judged in time count as not searched.
 void drop_contacts(const world::World& world, double normalisation, const ContactLimits& limits, FeatureEdges& drawn,
                    const Progress& progress) {
-  const std::vector<Contact> contacts = judge_contacts(world, normalisation, limits, drawn.of_facets, progress);
-  check(contacts.size() == drawn.of_facets.size(), "every crossing is judged");
+  const std::vector<Contact> contacts = judge_contacts(world, normalisation, limits, drawn.crossings, progress);
+  check(contacts.size() == drawn.crossings.size(), "every crossing is judged");
   const auto unjudged = std::count(contacts.begin(), contacts.end(), Contact::unjudged);
   if (unjudged > 0) drawn.searched *= 1 - static_cast<double>(unjudged) / static_cast<double>(contacts.size());
-  for (std::size_t i = 0; i < contacts.size(); ++i)
-    if (contacts[i] == Contact::none) drawn.crossings.push_back(drawn.of_facets[i]);
+  std::vector<FaceCrossing> real;
+  for (std::size_t i = 0; i < contacts.size(); ++i) {
+    if (contacts[i] == Contact::none) real.push_back(drawn.crossings[i]);
+    if (contacts[i] == Contact::contact) drawn.contacts.push_back(drawn.crossings[i]);
+  }
+  drawn.crossings = std::move(real);
 }
 
 void add_intersections(const world::World& world, view::ProjectedScene& view, FeatureEdges& drawn) {
@@ -144,7 +148,7 @@ FeatureEdges find_feature_edges(const world::World& world, view::ProjectedScene&
     const double normalisation = view.map.normalisation;
     FaceCrossings crossings = find_intersections(world, normalisation, view.contact.in_space, candidates,
                                                  progress.with_part_of_the_time(part_for_search));
-    drawn.of_facets = std::move(crossings.found);
+    drawn.crossings = std::move(crossings.found);
     drawn.searched = crossings.searched;
     drawn.too_many_crossings = crossings.too_many;
     drop_contacts(world, normalisation, {options.crease_angle, options.part_angle}, drawn,

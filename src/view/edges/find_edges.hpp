@@ -70,7 +70,7 @@ struct FeatureEdges {
   std::vector<MetAcrossSlivers> beside_slivers;
   std::vector<ClearContour> clear_contours;
   std::vector<FaceCrossing> crossings;  ///< intersections; lines of threads, with one triangle twice
-  std::vector<FaceCrossing> of_facets;  ///< all that was found, also where surfaces only touch (contacts.hpp)
+  std::vector<FaceCrossing> contacts;   ///< not drawn: facets cross, but their surfaces only touch (contacts.hpp)
   double moved = 0;                     ///< greatest distance between ink and the edges that it shows; view units
   double searched = 1;                  ///< fraction of the search for crossings that was completed
   bool too_many_crossings = false;      ///< whether it ended for their number, not for lack of time
