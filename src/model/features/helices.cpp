@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 #include "base/portable_math.hpp"
 #include "features/limits.hpp"
@@ -13,14 +15,44 @@ namespace epura::features {
 
 namespace {
 
+Vec2 on_circle(double turns) {
+  const double angle = 2 * std::numbers::pi * turns;
+  return {portable_cos(angle), portable_sin(angle)};
+}
+
+Vec2 turned(const Vec2& place, const Vec2& by) {
+  return {place.x * by.x - place.y * by.y, place.x * by.y + place.y * by.x};
+}
+
 // The resultant of the places of points along a right- or left-handed helix.
 double order_along(const TurnsAndHeights& points, double pitch, bool left) {
   Vec2 sum(0);
-  for (const Vec2& at : points) {
-    const double angle = 2 * std::numbers::pi * (at.y / pitch + (left ? at.x : -at.x));
-    sum += Vec2(portable_cos(angle), portable_sin(angle));
-  }
+  for (const Vec2& at : points) sum += on_circle(at.y / pitch + (left ? at.x : -at.x));
   return glm::length(sum) / static_cast<double>(points.size());
+}
+
+// The fewest turns, in steps, with which points are in order along a helix of this length. A step turns each place by
+// what the point's height is, so that no angle is computed twice.
+std::optional<double> fewest_turns(const TurnsAndHeights& points, double length) {
+  struct Place {
+    Vec2 at, step, around;
+  };
+  std::vector<Place> places;
+  for (const Vec2& p : points) {
+    const Vec2 step = on_circle(pitch_step * p.y / length);
+    places.push_back({step, step, on_circle(p.x)});
+  }
+  const auto count = static_cast<double>(points.size());
+  for (double turns = pitch_step; turns <= count / points_of_turn; turns += pitch_step) {
+    Vec2 left(0), right(0);
+    for (Place& place : places) {
+      left += turned(place.at, place.around);
+      right += turned(place.at, {place.around.x, -place.around.y});
+      place.at = turned(place.at, place.step);
+    }
+    if (std::max(glm::length(left), glm::length(right)) >= min_order * count) return turns;
+  }
+  return std::nullopt;
 }
 
 // Whether crests are a left-handed helix; nothing if they are none. Where a thread runs out into a shaft at one end or
@@ -88,20 +120,18 @@ std::optional<double> pitch_of(const Crests& crests) {
   const auto order = [length](const TurnsAndHeights& points, double turns) {
     return std::max(order_along(points, length / turns, true), order_along(points, length / turns, false));
   };
-  const double most = static_cast<double>(some.size()) / points_of_turn;
-  for (double turns = pitch_step; turns <= most; turns += pitch_step) {
-    if (order(some, turns) < min_order) continue;
-    while (order(some, turns + pitch_step) > order(some, turns)) turns += pitch_step;
-    double from = turns - pitch_step, to = turns + pitch_step;
-    while (to - from > 1e-6 * turns) {
-      const double low = from + (to - from) / 3, high = to - (to - from) / 3;
-      const bool is_above = order(all, low) < order(all, high);
-      (is_above ? from : to) = is_above ? low : high;
-    }
-    const double found = (from + to) / 2;
-    return found < min_turns ? std::nullopt : std::optional(length / found);
+  const std::optional<double> fewest = fewest_turns(some, length);
+  if (!fewest) return std::nullopt;
+  double turns = *fewest;
+  while (order(some, turns + pitch_step) > order(some, turns)) turns += pitch_step;
+  double from = turns - pitch_step, to = turns + pitch_step;
+  while (to - from > 1e-6 * turns) {
+    const double low = from + (to - from) / 3, high = to - (to - from) / 3;
+    const bool is_above = order(all, low) < order(all, high);
+    (is_above ? from : to) = is_above ? low : high;
   }
-  return std::nullopt;
+  const double found = (from + to) / 2;
+  return found < min_turns ? std::nullopt : std::optional(length / found);
 }
 
 }  // namespace epura::features
