@@ -66,10 +66,12 @@ class Crossings {
     std::vector<int> open;
     std::ranges::remove_copy_if(candidates.triangles, std::back_inserter(open), settled);
     const std::vector<int> of_open = apart(open, candidates.in_patches);
-    std::vector<int> groups;
-    std::size_t next = 0;
-    for (const int t : candidates.triangles)
-      groups.push_back(settled(t) ? 0 : of_open.empty() ? -1 : of_open[next++] < 0 ? -1 : of_open[next - 1] + 1);
+    std::vector<int> groups(candidates.triangles.size(), 0);
+    for (std::size_t i = 0, next = 0; i < groups.size(); ++i) {
+      if (settled(candidates.triangles[i])) continue;
+      groups[i] = of_open.empty() || of_open[next] < 0 ? -1 : of_open[next] + 1;
+      ++next;
+    }
     return groups;
   }
 
