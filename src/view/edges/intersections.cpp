@@ -264,10 +264,13 @@ FaceCrossings find_intersections(const world::World& world, double normalisation
   progress.begin("finding intersections", tasks.size());
   std::vector<std::vector<FaceCrossing>> found(tasks.size());
   std::atomic<std::size_t> finished = 0, work = 0;
+  const std::vector<char>& settled = candidates.known.is_settled;
+  const auto is_settled = [&](int t) { return !settled.empty() && settled[static_cast<std::size_t>(t)] != 0; };
   const auto search = [&](std::size_t task) {
     std::size_t pairs = 0;
     tree.search(tasks[task], [&](int a, int b) {
       progress.expect_time();
+      if (is_settled(triangles[a]) && is_settled(triangles[b])) return;
       ++pairs;
       if (const auto crossing = crossings.cross(triangles[a], triangles[b])) found[task].push_back(*crossing);
     });

@@ -136,5 +136,23 @@ TEST(Intersections, OfRefinedViewsAreShared) {
   }
 }
 
+TEST(Intersections, AreFoundOnceWhicheverAreSettled) {
+  Shape across = revolved({{0, -20}, {7, -20}, {7, 20}, {0, 20}}, 17);
+  for (auto& p : across.points) p = {p[2], p[0], p[1] + 20};
+  const world::World world = world_of(std::vector<Shape>{revolved({{0, 0}, {10, 0}, {10, 40}, {0, 40}}, 24), across});
+  edges::CrossingCandidates candidates = edges::all_triangles(world);
+  const std::vector<edges::FaceCrossing> all = edges::find_intersections(world, 1.0 / 64, 1e-9, candidates).found;
+  for (std::size_t every = 2; every < 12; ++every) {
+    std::vector<char>& is_settled = candidates.known.is_settled;
+    is_settled.assign(world.triangles.size(), 1);
+    for (std::size_t t = 0; t < is_settled.size(); t += every) is_settled[t] = 0;
+    candidates.known.found = all;
+    std::erase_if(candidates.known.found, [&](const edges::FaceCrossing& crossing) {
+      return std::ranges::any_of(crossing.triangles, [&](int t) { return is_settled[t] == 0; });
+    });
+    EXPECT_EQ(edges::find_intersections(world, 1.0 / 64, 1e-9, candidates).found, all) << every;
+  }
+}
+
 }  // namespace
 }  // namespace epura::test::intersections_test
