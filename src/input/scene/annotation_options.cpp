@@ -51,7 +51,9 @@ Options<DimensionWords> dimension_options() {
                      .help = "linear: horizontal or vertical; overall: width, height or depth, by default all three"},
                     in_description(&Dimension::direction), choice<DimensionDirection>()),
       anchor_option("corner", "angular: vertex of the angle"),
-      anchor_option("from", "linear, aligned: one end; angular: end of one leg"),
+      anchor_option("from",
+                    "linear, aligned: one end; angular: end of one leg; auto: what positions are measured from in all "
+                    "views, a corner, a plane face or a hole"),
       anchor_option("to", "linear, aligned: the other end; angular: end of the other leg"),
       anchor_option("at", "radius, diameter, arc: a vertex on the circle"),
       points_option(),

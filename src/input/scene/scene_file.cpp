@@ -70,7 +70,7 @@ void check_views(const SceneDescription& scene, const Names& sections) {
 const std::vector<std::string>& anchor_keys(DimensionType type) {
   // In order of DimensionType.
   static const std::array<std::vector<std::string>, 8> keys = {
-      {{"from", "to"}, {"from", "to"}, {"corner", "from", "to"}, {"at"}, {"at"}, {"at"}, {}, {}}};
+      {{"from", "to"}, {"from", "to"}, {"corner", "from", "to"}, {"at"}, {"at"}, {"at"}, {}, {"from"}}};
   return keys[static_cast<std::size_t>(type)];
 }
 
@@ -169,6 +169,7 @@ DimensionDescription dimension_of(const DimensionWords& words, const Subjects& s
   for (const std::string& key : keys) {
     const auto found = std::find_if(words.anchors.begin(), words.anchors.end(),
                                     [&key](const auto& anchor) { return anchor.first == key; });
+    if (found == words.anchors.end() && *dimension.type == DimensionType::automatic) continue;
     if (found == words.anchors.end())
       refuse_input(dimension.where, "a dimension of type '" + type + "' lacks '" + key + "'",
                    "[model, vertex], {point = [x, y, z]} or a feature, \"hole 3\"");

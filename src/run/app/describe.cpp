@@ -93,6 +93,7 @@ void add_dimensions(scene::SceneDescription& scene, const DrawOptions& options) 
   dimension.type = {overall ? DimensionType::overall : DimensionType::automatic, option.where};
   if (*option == AutomaticDimensions::hole_table) dimension.holes = {HoleDimensions::table, option.where};
   dimension.arrangement = options.arrangement;
+  if (options.datum.given()) dimension.anchors.push_back(*options.datum);
 }
 
 }  // namespace
@@ -109,9 +110,9 @@ scene::SceneDescription describe(const DrawOptions& options) {
     scene.models = models_of(options);
     scene.views = views_of(options);
   }
-  if (options.arrangement.given() &&
-      options.dimensions.value_or(AutomaticDimensions::overall) == AutomaticDimensions::overall)
-    throw Error(ErrorKind::input, options.arrangement.where, "needs automatic dimensions", "add --dimensions auto");
+  for (const std::string& where : {options.arrangement.where, options.datum.where})
+    if (!where.empty() && options.dimensions.value_or(AutomaticDimensions::overall) == AutomaticDimensions::overall)
+      throw Error(ErrorKind::input, where, "needs automatic dimensions", "add --dimensions auto");
   if (options.dimensions.given()) add_dimensions(scene, options);
   for (scene::ViewDescription& view : scene.views) scene::overrule(view, options.view, scene::view_options());
   const bool is_single = options.section.given() || !options.details.empty();

@@ -37,6 +37,16 @@ scene::ValueKind<scene::DetailRequest> detail_request() {
           [](const scene::TomlValue& value) { return scene::parse_detail(scene::read_text(value), value.where); }};
 }
 
+// "0,0,20", "hole 3" or "face 12"
+scene::ValueKind<scene::Anchor> datum() {
+  return {{"text", "POINT|FEATURE"}, [](const scene::TomlValue& value) {
+            const std::string text = scene::read_text(value);
+            if (const auto point = scene::parse_vector(text)) return scene::Anchor(*point);
+            scene::parse_feature(text, value.where);
+            return scene::Anchor(scene::FeatureName{text, -1});
+          }};
+}
+
 // "⌀8=H7": the text of an automatic size, and its tolerance.
 scene::ValueKind<scene::DimensionDescription> size_with_tolerance() {
   return {{"text", "SIZE=TOLERANCE"}, [](const scene::TomlValue& value) {
@@ -176,6 +186,11 @@ scene::Options<Draw> view_and_line_options() {
                                    "or one line with a common origin",
                            .usual = "single dimensions, equal distances as one"},
                           &Draw::arrangement, scene::choice<DimensionArrangement>().shown_as("KIND")),
+      scene::option<Draw>({.flag = "--datum",
+                           .help = "what the positions among automatic dimensions are measured from in all views: a "
+                                   "corner, e.g. 0,0,20, or a plane face or a hole, e.g. 'hole 3'",
+                           .usual = "the left and lower ends of the models"},
+                          &Draw::datum, datum()),
       scene::option<Draw>({.flag = "--tolerance",
                            .help = "tolerance or fit of the automatic dimensions with this text, e.g. ⌀8=H7, 40=±0.1; "
                                    "repeat for more",

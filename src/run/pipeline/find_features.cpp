@@ -196,12 +196,15 @@ class Features {
 void find_anchors_of(scene::DimensionDescription& dimension, Features& features) {
   const DimensionType type = dimension.type.value_or(DimensionType::automatic);
   const bool is_round = type == DimensionType::radius || type == DimensionType::diameter || type == DimensionType::arc;
+  const bool is_datum = type == DimensionType::automatic;
   for (scene::Anchor& anchor : dimension.anchors) {
     const auto* name = std::get_if<FeatureName>(&anchor);
     if (name == nullptr) continue;
     if (is_round) dimension.circle = features.circle(*name, dimension.where);
-    const Vec3 centre = features.find(*name, dimension.where).centre;
-    anchor = centre;
+    const FoundFeature& found = features.find(*name, dimension.where);
+    if (is_datum) dimension.circle = found.circle;
+    const Vec3 place = is_datum ? found.surface : found.centre;
+    anchor = place;
   }
 }
 

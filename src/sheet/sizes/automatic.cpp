@@ -47,6 +47,8 @@ bool is_over_round_end(const Planning& plan, int axis) {
 Planned overall_sizes(const Planning& plan, std::span<const NamedProjection> views) {
   DimensionDescription overall = plan.wanted;
   overall.type = {DimensionType::overall, plan.wanted.type.where};
+  overall.anchors.clear();
+  overall.circle.reset();
   Planned planned{overall_dimensions(overall, views, plan.subject.extents)};
   for (DimensionDescription& dimension : planned.dimensions)
     if (const int axis = axis_of(*dimension.direction); is_over_round_end(plan, axis) ||
@@ -131,7 +133,7 @@ void join_given(Coordinates& coordinates, std::span<const DimensionsInView> give
 
 // Each place once, unless it is known before.
 Planned position_dimensions(const Planning& plan, const Planned& planned, std::span<const DimensionsInView> given) {
-  Coordinates coordinates(plan.subject, plan.table.round_ends, in_order(plan.views));
+  Coordinates coordinates(plan.subject, plan.datums, plan.table.round_ends, in_order(plan.views));
   std::vector<SlantedPlace> slanted;
   for (const auto& place : planned.places)
     if (const auto* known = std::get_if<KnownPlace>(&place))

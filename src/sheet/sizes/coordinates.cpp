@@ -54,34 +54,6 @@ bool are_a_row(std::span<const Coordinate> coordinates, double slack) {
   return true;
 }
 
-// The ends whose radius a view can give.
-std::vector<RoundEnd> seen_ends(std::span<const RoundEnd> ends, std::span<const NamedProjection* const> views) {
-  std::vector<RoundEnd> seen;
-  std::copy_if(ends.begin(), ends.end(), std::back_inserter(seen), [&](const RoundEnd& end) {
-    return std::any_of(views.begin(), views.end(), [&](const NamedProjection* view) {
-      return !view->aligned() && features::are_parallel(view->projection.n, end.axis);
-    });
-  });
-  return seen;
-}
-
-Datum datum_along(int axis, const features::Extent& extent, std::span<const RoundEnd> ends,
-                  std::span<const NamedProjection* const> views) {
-  bool low = true;
-  for (const NamedProjection* view : views)
-    if (const Vec3& u = view->projection.u, &v = view->projection.v; world_axis(u) == axis || world_axis(v) == axis) {
-      low = (world_axis(u) == axis ? u : v)[axis] > 0;
-      break;
-    }
-  const auto bulging = [&](int side) {
-    const RoundEnd* end = end_along(ends, axis, side, extent);
-    return end != nullptr && end->bulges(axis, side) ? end : nullptr;
-  };
-  const RoundEnd *own = bulging(low ? 0 : 1), *other = bulging(low ? 1 : 0);
-  if (own != nullptr && other != nullptr) return {own->centre[axis], own->centre};
-  return {low == (own == nullptr) ? extent.from : extent.to, std::nullopt};
-}
-
 }  // namespace
 
 int world_axis(const Vec3& direction) {
@@ -90,16 +62,17 @@ int world_axis(const Vec3& direction) {
   return -1;
 }
 
-Coordinates::Coordinates(const DimensionSubject& subject, std::span<const RoundEnd> ends,
+Coordinates::Coordinates(const DimensionSubject& subject, const ChosenDatums& chosen, std::span<const RoundEnd> ends,
                          std::span<const NamedProjection* const> views)
     : subject_(subject),
+      datums_(usual_datums(subject, ends, views)),
+      ends_(datums_),
       points_(features::points_of_faces(subject.world)),
       slack_(same_coordinate * glm::length(subject.world.box.size())) {
-  const std::vector<RoundEnd> seen = seen_ends(ends, views);
   for (int axis = 0; axis < 3; ++axis) {
     const features::Extent& extent = subject.extents[axis];
-    datums_[axis] = datum_along(axis, extent, seen, views);
-    known_[axis] = {extent.from, extent.to, datums_[axis].at};
+    known_[axis] = {extent.from, extent.to, ends_[axis].at};
+    if (const auto& datum = chosen[static_cast<std::size_t>(axis)]) datums_[axis] = *datum;
     // The middle of a shaft needs no dimension, even where a flat is.
     if (extent.form == features::ExtentForm::length) continue;
     for (int other = 0; other < 3; ++other)
@@ -146,6 +119,12 @@ void Coordinates::join(int axis, double from, double to) {
   coordinates_.erase(find(std::abs(from - end) > std::abs(to - end) ? from : to));
 }
 
+// Whether it is where others are measured from, amid the models.
+bool Coordinates::is_datum(const Coordinate& coordinate) const {
+  const auto axis = static_cast<std::size_t>(coordinate.axis);
+  return std::abs(coordinate.at - datums_[axis].at) <= slack_ && std::abs(datums_[axis].at - ends_[axis].at) > slack_;
+}
+
 // Positions on a round part are measured from its axis.
 Coordinate Coordinates::base_of(const Coordinate& coordinate) const {
   const features::Extent& extent = subject_.extents[coordinate.axis];
@@ -154,8 +133,11 @@ Coordinate Coordinates::base_of(const Coordinate& coordinate) const {
     base.at = base.point[base.axis] = base.opposite[base.axis] = *coordinate.from;
     return base;
   }
-  const bool from_axis = extent.form != features::ExtentForm::length && coordinate.group >= 0;
-  const Datum datum = from_axis ? Datum{(extent.from + extent.to) / 2, extent.centre} : datums_[coordinate.axis];
+  const bool is_chosen = std::abs(datums_[coordinate.axis].at - ends_[coordinate.axis].at) > slack_;
+  const bool from_axis = !is_chosen && extent.form != features::ExtentForm::length && coordinate.group >= 0;
+  const Datum datum = from_axis              ? Datum{(extent.from + extent.to) / 2, extent.centre}
+                      : is_datum(coordinate) ? ends_[coordinate.axis]
+                                             : datums_[coordinate.axis];
   Coordinate base = coordinate;
   base.at = datum.at;
   if (datum.centre) {
@@ -230,7 +212,8 @@ void Coordinates::add_row(std::vector<Coordinate> row, const std::string& where,
           break;
         }
   std::erase_if(row, [&](const Coordinate& coordinate) {
-    const std::optional<Coordinate> base = coordinate.from ? base_of(coordinate) : first_side(coordinate);
+    const bool is_own = coordinate.from.has_value() || is_datum(coordinate);
+    const std::optional<Coordinate> base = is_own ? base_of(coordinate) : first_side(coordinate);
     if (base) dimensions.push_back(distance_along(*base, coordinate, where));
     return base.has_value();
   });

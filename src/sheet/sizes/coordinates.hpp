@@ -10,7 +10,7 @@
 
 #include "sheet/notation.hpp"
 #include "sizes/automatic.hpp"
-#include "sizes/round_ends.hpp"
+#include "sizes/datums.hpp"
 
 namespace epura::sheet {
 
@@ -32,19 +32,12 @@ int world_axis(const Vec3& direction);
 /// The largest number of parallel dimensions of one direction in a view: more stand too far from what they measure.
 inline constexpr std::size_t max_parallel = 8;
 
-/// What positions along an axis of the world are measured from, in all views.
-struct Datum {
-  double at = 0;
-  std::optional<Vec3> centre{};  ///< of a round end, where extension lines begin
-};
-
 /// Collects coordinates, each once.
 class Coordinates {
  public:
-  /// Along each axis, all views measure from one end of the models: the left or lower one in the first view that shows
-  /// the axis. Where that end is round, and a view shows it so, they measure from the other one; from the centre of the
-  /// round one where both are.
-  Coordinates(const DimensionSubject& subject, std::span<const RoundEnd> ends,
+  /// Along each axis, all views measure from what is chosen, or else from the usual end of the models; a chosen place
+  /// that is no end has its own distance from that.
+  Coordinates(const DimensionSubject& subject, const ChosenDatums& chosen, std::span<const RoundEnd> ends,
               std::span<const NamedProjection* const> views);
 
   /// Notes that a place follows from other dimensions.
@@ -67,6 +60,7 @@ class Coordinates {
                                                                     const Notation& notation) const;
 
  private:
+  [[nodiscard]] bool is_datum(const Coordinate& coordinate) const;
   [[nodiscard]] Coordinate base_of(const Coordinate& coordinate) const;
   [[nodiscard]] bool are_about_line(const Coordinate& one, const Coordinate& other) const;
   [[nodiscard]] std::optional<Coordinate> first_side(const Coordinate& coordinate) const;
@@ -80,7 +74,7 @@ class Coordinates {
                std::vector<scene::DimensionDescription>& dimensions) const;
 
   const DimensionSubject& subject_;
-  std::array<Datum, 3> datums_{};
+  std::array<Datum, 3> datums_, ends_;  // the usual ones, if others are chosen
   std::vector<Vec3> points_;
   double slack_;
   std::array<std::vector<double>, 3> known_;

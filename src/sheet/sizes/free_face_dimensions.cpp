@@ -76,7 +76,7 @@ class Completion {
         reading_(reading),
         faces_(plan, reading),
         in_pattern_(faces_in_patterns(reading.drawn)),
-        coordinates_(plan.subject, plan.table.round_ends, plan.views.all()),
+        coordinates_(plan.subject, plan.datums, plan.table.round_ends, plan.views.all()),
         motions_(std::move(motions)) {}
 
   FreeFaceDimensions find() {

@@ -31,7 +31,7 @@ bool is_tangent(const NotedRound& one, const world::World& world) {
                              });
 }
 
-void judge_fillets(Verdict& verdict, const NotedElement& size, const GivenSizes& given, const HoleWalls& walls,
+void judge_fillets(Verdict& verdict, const NotedElement& size, const OtherTexts& given, const HoleWalls& walls,
                    const world::World& world, const Notation& notation) {
   bool any = false;
   for (const NotedRound& one : walls.rounds()) {
@@ -98,7 +98,7 @@ std::vector<Bore> threads_of(const HoleWalls& walls, const world::World& world) 
 }
 
 // Which other texts may mean a hole: those of its size.
-bool is_given(const Bore& bore, const GivenSizes& given, const HoleWalls& walls, bool with_depth) {
+bool is_given(const Bore& bore, const OtherTexts& given, const HoleWalls& walls, bool with_depth) {
   return std::ranges::any_of(given, [&](const GivenSize& one) {
     const bool has_depth = std::ranges::any_of(one.text.elements, [](const NotedElement& element) {
       return element.role == NotedRole::depth || element.role == NotedRole::blind;
@@ -109,7 +109,7 @@ bool is_given(const Bore& bore, const GivenSizes& given, const HoleWalls& walls,
 
 // Each one that it means, which are those next to what it says, unless it speaks of some: then one of them. What other
 // texts give may differ.
-void judge_bores(Verdict& verdict, const NotedText& note, const GivenSizes& given, const std::vector<Bore>& bores,
+void judge_bores(Verdict& verdict, const NotedText& note, const OtherTexts& given, const std::vector<Bore>& bores,
                  const HoleWalls& walls, const Notation& notation) {
   std::optional<double> least;
   for (const Bore& one : bores)
@@ -136,7 +136,7 @@ void judge_bores(Verdict& verdict, const NotedText& note, const GivenSizes& give
 }
 
 // Threads are known where scenes or files state them.
-void judge_holes(Verdict& verdict, const NotedText& note, const GivenSizes& given, const HoleWalls& walls,
+void judge_holes(Verdict& verdict, const NotedText& note, const OtherTexts& given, const HoleWalls& walls,
                  const world::World& world, const Notation& notation) {
   const std::vector<Bore> threads = note.gives_thread() ? threads_of(walls, world) : std::vector<Bore>();
   if (threads.empty()) {
@@ -160,7 +160,7 @@ void judge_lengths(Verdict& verdict, const NotedText& note, const NotedElement& 
 
 }  // namespace
 
-void judge_of_kind(Verdict& verdict, const NotedText& note, const GivenSizes& given, const HoleWalls& walls,
+void judge_of_kind(Verdict& verdict, const NotedText& note, const OtherTexts& given, const HoleWalls& walls,
                    const world::World& world, const Notation& notation) {
   const NotedElement* size = note.size();
   check(!note.elements.empty(), "a note says something");

@@ -15,10 +15,10 @@ struct GivenSize {
   NotedText text;
 };
 
-using GivenSizes = std::vector<GivenSize>;
+using OtherTexts = std::vector<GivenSize>;
 
 /// What differs from the note has to be given elsewhere; and something has to be as it says.
-void judge_of_kind(Verdict& verdict, const NotedText& note, const GivenSizes& given, const HoleWalls& walls,
+void judge_of_kind(Verdict& verdict, const NotedText& note, const OtherTexts& given, const HoleWalls& walls,
                    const world::World& world, const Notation& notation);
 
 }  // namespace epura::sheet

@@ -87,9 +87,11 @@ std::vector<HoleGroup> groups_of_holes(const Planning& plan) {
   return groups;
 }
 
-// The left or lower end of the models in a view along one of its directions; the axis of a round part.
+// What is chosen, or the left or lower end of the models in a view along one of its directions; the axis of a round
+// part.
 double origin_along(const Planning& plan, const Vec3& direction) {
   const int axis = world_axis(direction);
+  if (const auto& datum = plan.datums[static_cast<std::size_t>(axis)]) return datum->at;
   const features::Extent& extent = plan.extent(axis);
   if (extent.form != features::ExtentForm::length) return (extent.from + extent.to) / 2;
   return direction[axis] > 0 ? extent.from : extent.to;

@@ -16,7 +16,8 @@ Planning::Planning(const scene::DimensionDescription& of, std::span<const NamedP
       subject(parts),
       notation(written),
       box(features::box_of_faces(parts.world)),
-      table(feature_table(parts, written)) {}
+      table(feature_table(parts, written)),
+      datums(chosen_datums(of, parts)) {}
 
 scene::DimensionDescription Planning::dimension(DimensionType type, const NamedProjection& view,
                                                 const std::string& text) const {

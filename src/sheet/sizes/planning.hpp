@@ -27,6 +27,7 @@ struct Planning {
   Notation notation;
   Box box;  ///< of the faces of the models
   FeatureTable table;
+  ChosenDatums datums;
 
   Planning(const scene::DimensionDescription& of, std::span<const NamedProjection> projections,
            const DimensionSubject& parts, const Notation& written);
