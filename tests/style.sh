@@ -70,6 +70,16 @@ absent_headers() {
   done
 }
 
+# A kind of sizes is a row of one table: whatever reads it asks the table, not the kind.
+scattered_kinds() {
+  local table=src/sheet/sizes/feature_table.hpp kind count
+  [ -e "$table" ] || return
+  sed -n 's/^enum class SizeKind : unsigned char { \(.*\) };$/\1/p' "$table" | tr -d ' ' | tr ',' '\n' | while read -r kind; do
+    count=$(grep -rlE "SizeKind::$kind([^a-z_]|$)" src --include='*.[ch]pp' | grep -vc "^$table$")
+    [ "$count" -le 3 ] || grep -rnE "SizeKind::$kind([^a-z_]|$)" src --include='*.[ch]pp'
+  done
+}
+
 mapfile -t files < <(sources)
 if [ ${#files[@]} -eq 0 ]; then
   echo "style: no sources under $root" >&2
@@ -83,6 +93,7 @@ complain "files outside the namespace of their folder" "$(foreign_namespaces)"
 complain "limits elsewhere than in the limits.hpp of their folder" "$(scattered_limits)"
 complain "stages that print, or read the environment" "$(impure_stages)"
 complain "headers that are not there" "$(absent_headers)"
+complain "kinds of sizes that more than four files name" "$(scattered_kinds)"
 complain "types of one name" "$(repeated_types "${files[@]}")"
 complain "headers without a guard" \
   "$(printf '%s\n' "${files[@]}" | grep -E '\.(hpp|h)$' | xargs -r grep -L -e '#pragma once' -e '#ifndef')"

@@ -150,7 +150,7 @@ scene::Options<Draw> output_options() {
   };
 }
 
-scene::Options<Draw> view_and_line_options() {
+scene::Options<Draw> view_options() {
   return {
       projections_option("projection of a view, NAME[:key=value...]; repeat for more views; 'epura plugins' lists them",
                          &Draw::projections),
@@ -176,6 +176,11 @@ scene::Options<Draw> view_and_line_options() {
       scene::option<Draw>(
           {.flag = "--centre-lines", .help = "add centre lines of bores, shafts, slots and pitch circles"},
           run(&pipeline::RunOptions::centre_lines), scene::truth()),
+  };
+}
+
+scene::Options<Draw> size_options() {
+  return {
       scene::option<Draw>(
           {.flag = "--dimensions",
            .help = "overall: add width, height and depth, each in the clearest view; auto: also sizes of features; "
@@ -208,6 +213,11 @@ scene::Options<Draw> view_and_line_options() {
       scene::option<Draw>({.flag = "--parts-list",
                            .help = "add a list of the parts above the title block, and their numbers in the views"},
                           &Draw::parts_list, scene::truth()),
+  };
+}
+
+scene::Options<Draw> line_options() {
+  return {
       scene::option<Draw>(
           {.flag = "--visibility", .help = "how hidden lines are found; none draws a wireframe", .usual = "exact"},
           run(&pipeline::RunOptions::visibility), visibility_kind()),
@@ -415,7 +425,9 @@ scene::Options<DrawOptions> draw_options() {
   scene::Options<Draw> all = model_file_options();
   std::ranges::move(output_options(), std::back_inserter(all));
   scene::append_options(all, scene::model_options(), &Draw::model);
-  append(all, view_and_line_options());
+  append(all, view_options());
+  append(all, size_options());
+  append(all, line_options());
   scene::append_options(all, scene::view_options(), &Draw::view);
   scene::append_options(all, scene::sheet_options(), &Draw::sheet);
   append(all, title_options());

@@ -51,7 +51,7 @@ struct DrawOptions {
   scene::Located<double> explode;
   scene::Located<AutomaticDimensions> dimensions;
   scene::Located<DimensionArrangement> arrangement{};
-  scene::Located<scene::Anchor> datum{};  ///< of automatic dimensions
+  scene::Located<scene::Anchor> datum{};                  ///< of automatic dimensions
   std::vector<scene::DimensionDescription> tolerances{};  ///< of automatic dimensions, with `match`
   bool parts_list = false;
   scene::LocatedText revise{};  ///< an older version of the model, whose differences are marked

@@ -113,22 +113,24 @@ bool is_of(const PlacedFace& face, const features::ArcFeature& one) {
          face.is_about(one.centre, one.axis, one.radius);
 }
 
+// The kinds that have faces of their own, and words.
+template <class Visit>
+void for_each_kind(const features::PartFeatures& features, const Visit& visit) {
+  visit(SizeKind::hole, features.holes);
+  visit(SizeKind::cylinder, features.cylinders);
+  visit(SizeKind::slot, features.slots);
+  visit(SizeKind::hexagon, features.hexagons);
+  visit(SizeKind::arc, features.arcs);
+}
+
 bool is_in(const PlacedFace& face, const FeatureGroup& group, const features::PartFeatures& features) {
-  const auto any = [&](const auto& all) {
-    return std::ranges::any_of(group.features, [&](std::size_t number) { return is_of(face, all[number]); });
-  };
-  switch (group.kind) {
-    case SizeKind::hole:
-      return any(features.holes);
-    case SizeKind::cylinder:
-      return any(features.cylinders);
-    case SizeKind::slot:
-      return any(features.slots);
-    case SizeKind::hexagon:
-      return any(features.hexagons);
-    default:
-      return any(features.arcs);
-  }
+  bool is_there = false;
+  for_each_kind(features, [&](SizeKind kind, const auto& all) {
+    is_there = is_there || (kind == group.kind && std::ranges::any_of(group.features, [&](std::size_t number) {
+                              return is_of(face, all[number]);
+                            }));
+  });
+  return is_there;
 }
 
 // Of planes alone, since they may be flats of hexagons.
@@ -156,17 +158,12 @@ std::vector<FeatureGroup> feature_groups(const features::PartFeatures& features,
                                          const sheet::Notation& notation, std::string_view language) {
   const FeatureWords words(notation, language);
   std::vector<FeatureGroup> groups;
-  const auto add = [&](SizeKind kind, const auto& all) {
+  for_each_kind(features, [&](SizeKind kind, const auto& all) {
     for (const auto& equal : sheet::equal_features(table, kind, all)) {
-      FeatureGroup& group = groups.emplace_back(FeatureGroup{kind, {}, words(*equal.front())});
+      FeatureGroup& group = groups.emplace_back(FeatureGroup{kind, {}, words(*equal.front()), kind == SizeKind::hole});
       for (const auto* one : equal) group.features.push_back(static_cast<std::size_t>(one - all.data()));
     }
-  };
-  add(SizeKind::hole, features.holes);
-  add(SizeKind::cylinder, features.cylinders);
-  add(SizeKind::slot, features.slots);
-  add(SizeKind::hexagon, features.hexagons);
-  add(SizeKind::arc, features.arcs);
+  });
   return groups;
 }
 

@@ -16,9 +16,10 @@ namespace epura::pipeline {
 
 /// Features that one note can describe.
 struct FeatureGroup {
-  sheet::SizeKind kind;                 ///< hole, cylinder, slot, hexagon or arc
+  sheet::SizeKind kind;                 ///< of those that have faces of their own
   std::vector<std::size_t> features{};  ///< their numbers among those of the kind
   std::string words{};                  ///< of one: "diameter 8, through", of holes; otherwise "radius 5"
+  bool are_holes = false;
 };
 
 /// Those of feature_table that have faces of their own, in its order; `language` as of phrases.

@@ -78,8 +78,7 @@ class GroupFinder {
 };
 
 std::string words_of(const FeatureGroup& group, std::string_view language) {
-  const std::string words =
-      group.kind == sheet::SizeKind::hole ? sheet::phrase("hole", language, std::array{group.words}) : group.words;
+  const std::string words = group.are_holes ? sheet::phrase("hole", language, std::array{group.words}) : group.words;
   return counted(group.features.size(), words);
 }
 

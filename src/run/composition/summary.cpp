@@ -192,7 +192,7 @@ void Account::tell_features() {
   const sheet::FeatureTable table = sheet::feature_table({facts_.world, all, facts_.extents}, notation_);
   Texts holes, others;
   for (const FeatureGroup& group : feature_groups(all, table, notation_, language_))
-    (group.kind == sheet::SizeKind::hole ? holes : others).push_back(counted(group.features.size(), group.words));
+    (group.are_holes ? holes : others).push_back(counted(group.features.size(), group.words));
   const auto bevels = static_cast<std::size_t>(
       std::ranges::count_if(all.bevels, [](const features::BevelFeature& one) { return one.is_chamfer; }));
   if (const std::size_t count = bevels + all.chamfers.size(); count > 0)

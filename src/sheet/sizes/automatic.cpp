@@ -75,23 +75,10 @@ Planned places_beside_round_ends(const Planning& plan) {
   return planned;
 }
 
-// Of holes in a crowded assembly: they are for drawings of groups of parts.
-Planned sizes_left_out(const Planning& plan) {
-  Planned planned;
-  for (const auto& group : equal_features(plan.table, SizeKind::hole, plan.subject.features.holes)) {
-    check(!group.empty(), "a group of holes has one");
-    const NamedProjection* along = plan.views.along(group.front()->axis);
-    const NamedProjection* view =
-        along != nullptr ? along : plan.views.beside(group.front()->axis, group.front()->mouth);
-    if (view != nullptr) ++planned.omitted.too_many[view->name];
-  }
-  return planned;
-}
-
 Planned dimensions_of_features(const Planning& plan, std::span<const NamedProjection> views) {
   Planned planned = overall_sizes(plan, views);
   if (features::has_too_many_parts(plan.subject.features)) {
-    planned.append(sizes_left_out(plan));
+    planned.append(holes_left_out(plan));
     return planned;
   }
   planned.append(places_beside_round_ends(plan));

@@ -156,11 +156,11 @@ Vec3 outward_axis(const FeatureSize& size, const Box& box) {
 
 // Diameters can be given in views beside their axis, too.
 Remedy remedy_for_size(const FeatureSize& size, const Dimensioned& sheet) {
-  if (size.kind == SizeKind::hexagon) return {};
-  const bool is_only_along = size.is_anywhere() || size.kind == SizeKind::pitch_circle || size.kind == SizeKind::side;
+  const ShownBy by = size.of_kind().shown_by;
+  if (by == ShownBy::none) return {};
   const Vec3 axis = outward_axis(size, sheet.subject.world.box);
   if (is_seen_along(axis, sheet.views)) return {};
-  const bool is_seen = !is_only_along && is_seen_beside(axis, size.kind == SizeKind::hole, sheet.views);
+  const bool is_seen = by != ShownBy::along && is_seen_beside(axis, by == ShownBy::along_or_inside, sheet.views);
   return is_seen ? Remedy{} : remedy_along(axis);
 }
 
@@ -298,8 +298,7 @@ bool is_placed(const features::HoleFeature& hole, const FeatureTable& table, con
 
 bool has_size(const Dimensioned& sheet, std::size_t number) {
   const FeatureSize& size = sheet.table.sizes[number];
-  return sheet.given[number] || (size.kind == SizeKind::hole &&
-                                 is_labelled(sheet.subject.features.holes[std::size_t(size.feature)], sheet.on_sheet));
+  return sheet.given[number] || (size.label_at && is_labelled(*size.label_at, sheet.on_sheet));
 }
 
 std::vector<SizedCircle> sized_circles(const Dimensioned& sheet) {
@@ -309,30 +308,26 @@ std::vector<SizedCircle> sized_circles(const Dimensioned& sheet) {
     if (!size.is_round()) continue;
     const bool is_given = has_size(sheet, i);
     circles.push_back({size.centre, size.axis, size.value, is_given});
-    if (size.kind != SizeKind::hole) continue;
-    const features::HoleFeature& hole = sheet.subject.features.holes[std::size_t(size.feature)];
-    circles.push_back({size.centre, size.axis, hole.diameter / 2, is_given});
-    for (const auto& recess : {hole.counterbore, hole.countersink})
-      if (recess) circles.push_back({size.centre, size.axis, recess->diameter / 2, is_given});
+    for (const double radius : size.other_radii) circles.push_back({size.centre, size.axis, radius, is_given});
   }
   return circles;
 }
 
-// Of the features of one kind.
-std::vector<bool> given_of(const Dimensioned& sheet, SizeKind kind) {
-  std::vector<bool> given;
+// By owner of faces.
+GivenOwners given_owners(const Dimensioned& sheet) {
+  GivenOwners given;
   for (std::size_t i = 0; i < sheet.table.sizes.size(); ++i)
-    if (sheet.table.sizes[i].kind == kind) given.push_back(has_size(sheet, i));
+    if (const features::FaceOwner& owner = sheet.table.sizes[i].owner; owner.kind != features::OwnerKind::none)
+      given[{owner.kind, owner.number}] = has_size(sheet, i);
   return given;
 }
 
 std::vector<KnownPrism> known_prisms(const Dimensioned& sheet) {
   std::vector<KnownPrism> prisms;
-  const std::size_t first = sheet.table.first(SizeKind::side);
   for (std::size_t i = 0; i < sheet.table.prisms.size(); ++i) {
     const TurnedPrism& prism = sheet.table.prisms[i];
-    prisms.push_back(
-        {prism, sheet.given[first + 2 * i] && sheet.given[first + 2 * i + 1] && has_angle_of_prism(sheet, prism)});
+    const std::array<std::size_t, 2> sides = sheet.table.sides_of(i);
+    prisms.push_back({prism, sheet.given[sides[0]] && sheet.given[sides[1]] && has_angle_of_prism(sheet, prism)});
   }
   return prisms;
 }
@@ -342,10 +337,8 @@ FaceCoverage cover_all_faces(const Dimensioned& sheet, const JoinedPlaces& place
                    [&sheet](const surfaces::PartFace& face) { return has_doubly_curved(face, sheet); }};
   given.circles = sized_circles(sheet);
   given.held = sheet.on_sheet.held;
-  given.holes = given_of(sheet, SizeKind::hole);
-  check(given.holes.size() == sheet.subject.features.holes.size(), "each hole has a size");
-  given.slots = given_of(sheet, SizeKind::slot);
-  given.hexagons = given_of(sheet, SizeKind::hexagon);
+  given.owners = given_owners(sheet);
+  check(given.owners.size() >= sheet.subject.features.holes.size(), "each hole has a size");
   given.bevels = slopes_given(sheet, places);
   given.prisms = known_prisms(sheet);
   given.hexagon_chamfers = sheet.table.hexagon_chamfers;
@@ -365,11 +358,13 @@ FaceCoverage cover_all_faces(const Dimensioned& sheet, const JoinedPlaces& place
 report::SizeCount count_holes(const Dimensioned& sheet, const JoinedPlaces& places,
                               const std::vector<bool>& are_turned_known) {
   const std::vector<features::HoleFeature>& holes = sheet.subject.features.holes;
-  const std::vector<bool> given = given_of(sheet, SizeKind::hole);
-  check(given.size() == holes.size() && are_turned_known.size() == holes.size(), "each hole has a size");
+  const GivenOwners given = given_owners(sheet);
+  check(are_turned_known.size() == holes.size(), "each hole has a place or none");
   int placed = 0;
   for (std::size_t i = 0; i < holes.size(); ++i)
-    if (given[i] && are_turned_known[i] && is_placed(holes[i], sheet.table, places)) ++placed;
+    if (given.at({features::OwnerKind::hole, static_cast<int>(i)}) && are_turned_known[i] &&
+        is_placed(holes[i], sheet.table, places))
+      ++placed;
   return {"holes", placed, static_cast<int>(holes.size())};
 }
 

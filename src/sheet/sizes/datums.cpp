@@ -63,6 +63,7 @@ ChosenDatums chosen_datums(const scene::DimensionDescription& wanted, const Dime
   if (wanted.anchors.empty()) return chosen;
   const auto& circle = wanted.circle;
   const Vec3 place = circle ? circle->centre : position_of(subject.world, wanted.anchors.front(), wanted.where);
+  check(std::isfinite(glm::length(place)), "a datum is in the world");
   const HoleWalls walls(subject.world);
   for (const std::size_t axis : {0, 1, 2}) {
     const int along = static_cast<int>(axis);

@@ -65,9 +65,8 @@ class FaceCounter {
   // Of no feature, it is what dimensions of whatever faces hold.
   bool has_plane(const surfaces::PartFace& face, const FaceOwner& owner, bool is_held) {
     const auto number = static_cast<std::size_t>(owner.number);
-    if (owner.kind == OwnerKind::hole) return given_.holes[number];
-    if (owner.kind == OwnerKind::slot) return given_.slots[number];
-    if (owner.kind == OwnerKind::hexagon) return given_.hexagons[number];
+    if (const auto given = given_.owners.find({owner.kind, owner.number}); given != given_.owners.end())
+      return given->second;
     if (owner.kind == OwnerKind::bevel) return given_.bevels[number];
     const surfaces::PartSurface& plane = face.surface;
     if (const int axis = world_axis(plane.axis); axis >= 0) return given_.has_place(axis, plane.origin[axis]);

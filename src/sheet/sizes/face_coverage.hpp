@@ -3,10 +3,13 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "features/face_owners.hpp"
 #include "sizes/coverage.hpp"
 #include "sizes/hexagon_chamfers.hpp"
 #include "sizes/round_ends.hpp"
@@ -27,6 +30,9 @@ struct KnownPrism {
   bool is_given;
 };
 
+/// Whether the size of a feature is given, by its kind and number.
+using GivenOwners = std::map<std::pair<features::OwnerKind, int>, bool>;
+
 /// What dimensions give.
 struct GivenSizes {
   std::function<bool(int, double)> has_place;                        ///< along an axis of the world
@@ -35,8 +41,9 @@ struct GivenSizes {
   std::vector<SizedCircle> circles{};                                ///< of all features that have any
   std::vector<double> radii{};                                       ///< that are given somewhere
   std::vector<KnownPrism> prisms{};
-  std::vector<HexagonChamfer> hexagon_chamfers{};            ///< given where their bevel is
-  std::vector<bool> holes{}, slots{}, hexagons{}, bevels{};  ///< in the order of the PartFeatures
+  std::vector<HexagonChamfer> hexagon_chamfers{};  ///< given where their bevel is
+  GivenOwners owners{};                            ///< without bevels
+  std::vector<bool> bevels{};                      ///< in the order of the PartFeatures
 };
 
 /// What is known of all faces but free forms and walls of letters.

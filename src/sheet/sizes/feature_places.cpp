@@ -33,8 +33,8 @@ std::vector<FeaturePlace> places_of_axes(const DimensionSubject& subject, const 
       if (const features::BallFeature& ball = features.balls[static_cast<std::size_t>(number)];
           !ends_models(ball, axis, subject.extents[static_cast<std::size_t>(axis)]))
         places.push_back({axis, ball.centre[axis], "sphere SR" + length_text(ball.radius, notation)});
-  for (std::size_t i = table.first(SizeKind::ring); i < table.first(SizeKind::side); ++i)
-    for (int axis = 0; axis < 3; ++axis) places.push_back({axis, table.sizes[i].centre[axis], table.sizes[i].name});
+  for (const FeatureSize& ring : table.of_kind(SizeKind::ring))
+    for (int axis = 0; axis < 3; ++axis) places.push_back({axis, ring.centre[axis], ring.name});
   return places;
 }
 

@@ -2,6 +2,7 @@
 #include "sizes/feature_table.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -27,42 +28,14 @@ bool are_equal_cylinders(const features::CylinderFeature& a, const features::Cyl
          are_parallel(a.axis, b.axis) && name_in_note(a.thread) == name_in_note(b.thread);
 }
 
-bool are_equal_circles(const FeatureSize& a, const FeatureSize& b) {
-  return a.model == b.model && are_same(a.value, b.value) && are_parallel(a.axis, b.axis);
-}
+/// What sizes are listed of.
+struct Listed {
+  const PartFeatures& features;
+  const std::vector<TurnedPrism>& prisms;
+  const Notation& notation;
 
-// Whether one note can give both, which are of one kind. That of a fillet gives those of all axes.
-bool are_equal_sizes(const FeatureSize& a, const FeatureSize& b, const PartFeatures& features,
-                     const Notation& notation) {
-  const auto both = [&](const auto& all, const auto& equal) {
-    return equal(all[static_cast<std::size_t>(a.feature)], all[static_cast<std::size_t>(b.feature)]);
-  };
-  switch (a.kind) {
-    case SizeKind::hole:
-      return both(features.holes, [](const features::HoleFeature& one, const features::HoleFeature& other) {
-        return are_equal(one, other);
-      });
-    case SizeKind::cylinder:
-      return both(features.cylinders, are_equal_cylinders);
-    case SizeKind::hexagon:
-      return both(features.hexagons, [](const features::HexagonFeature& one, const features::HexagonFeature& other) {
-        return are_equal(one, other);
-      });
-    case SizeKind::arc:
-      return a.model == b.model && are_written_alike(a.value, b.value, notation);
-    case SizeKind::pitch_circle:
-    case SizeKind::cone_end:
-    case SizeKind::slot:
-    case SizeKind::side:
-      return are_equal_circles(a, b);
-    case SizeKind::ring:
-      return are_equal_circles(a, b) &&
-             both(features.rounds, [](const features::RoundFeature& one, const features::RoundFeature& other) {
-               return are_same(one.radius, other.radius);
-             });
-  }
-  return false;
-}
+  [[nodiscard]] std::string length(double value) const { return length_text(value, notation); }
+};
 
 std::string name_of_hole(const features::HoleFeature& hole, const Notation& notation) {
   const auto length = [&](double value) { return length_text(value, notation); };
@@ -73,94 +46,181 @@ std::string name_of_hole(const features::HoleFeature& hole, const Notation& nota
   return name;
 }
 
-std::vector<FeatureSize> list_holes(const PartFeatures& features, const Notation& notation) {
-  std::vector<FeatureSize> sizes;
-  for (const features::HoleFeature& hole : features.holes) {
+using Sizes = std::vector<FeatureSize>;
+
+Sizes list_holes(const Listed& of) {
+  Sizes sizes;
+  for (const features::HoleFeature& hole : of.features.holes) {
     check(hole.called() > 0 && (!hole.depth || *hole.depth > 0), "a hole has a diameter, and a depth if it is known");
-    sizes.push_back({SizeKind::hole, static_cast<int>(sizes.size()), hole.model, hole.begin_of_bore(), hole.axis,
-                     hole.called() / 2, name_of_hole(hole, notation),
-                     name_in_note(hole.thread) + recesses_of(hole, notation)});
+    const int number = static_cast<int>(sizes.size());
+    FeatureSize& size = sizes.emplace_back(FeatureSize{SizeKind::hole, number, hole.model, hole.begin_of_bore(),
+                                                       hole.axis, hole.called() / 2, name_of_hole(hole, of.notation),
+                                                       name_in_note(hole.thread) + recesses_of(hole, of.notation)});
+    size.owner = {features::OwnerKind::hole, number};
+    size.other_radii.push_back(hole.diameter / 2);
+    for (const auto& recess : {hole.counterbore, hole.countersink})
+      if (recess) size.other_radii.push_back(recess->diameter / 2);
+    size.label_at = hole.mouth;
+    size.needs_text = hole.depth || hole.counterbore || hole.countersink;
   }
   return sizes;
 }
 
-std::vector<FeatureSize> list_cylinders(const PartFeatures& features, const Notation& notation) {
-  std::vector<FeatureSize> sizes;
-  for (const features::CylinderFeature& one : features.cylinders)
+Sizes list_cylinders(const Listed& of) {
+  Sizes sizes;
+  for (const features::CylinderFeature& one : of.features.cylinders)
     sizes.push_back({SizeKind::cylinder, static_cast<int>(sizes.size()), one.model, one.from, one.axis, one.called(),
-                     name_of(one, notation), name_in_note(one.thread)});
+                     name_of(one, of.notation), name_in_note(one.thread)});
   return sizes;
 }
 
 // A cylinder that continues a cone has the size of its end.
-std::vector<FeatureSize> list_cone_ends(const PartFeatures& features, const Notation& notation) {
-  std::vector<FeatureSize> sizes;
-  for (std::size_t i = 0; i < features.cones.size(); ++i)
+Sizes list_cone_ends(const Listed& of) {
+  Sizes sizes;
+  for (std::size_t i = 0; i < of.features.cones.size(); ++i)
     for (const int end : {0, 1}) {
-      const features::ConeFeature& cone = features.cones[i];
+      const features::ConeFeature& cone = of.features.cones[i];
       const features::CylinderFeature circle{cone.model, cone.ends[end],  cone.ends[end],
                                              cone.axis,  cone.radii[end], false};
-      if (circle.radius > 0 && !features::has_coaxial_outline(features, circle))
+      if (circle.radius > 0 && !features::has_coaxial_outline(of.features, circle))
         sizes.push_back({SizeKind::cone_end, static_cast<int>(i), cone.model, circle.from, cone.axis, circle.radius,
-                         "end of a cone ⌀" + length_text(2 * circle.radius, notation), "<>"});
+                         "end of a cone ⌀" + of.length(2 * circle.radius), "<>", end});
     }
   return sizes;
 }
 
-// Those that have nothing but a radius or width.
-std::vector<FeatureSize> list_others(const PartFeatures& features, SizeKind kind, const Notation& notation) {
-  std::vector<FeatureSize> sizes;
-  const auto add = [&](int model, const Vec3& centre, const Vec3& axis, double value, const std::string& name) {
-    check(value > 0, "a feature has a radius or width");
-    sizes.push_back({kind, static_cast<int>(sizes.size()), model, centre, axis, value, name, "<>"});
+Sizes list_pitch_circles(const Listed& of) {
+  Sizes sizes;
+  for (const features::PitchCircleFeature& one : of.features.pitch_circles)
+    sizes.push_back({SizeKind::pitch_circle, static_cast<int>(sizes.size()), one.model, one.centre, one.axis,
+                     one.radius, "pitch circle ⌀" + of.length(2 * one.radius), "<>"});
+  return sizes;
+}
+
+Sizes list_slots(const Listed& of) {
+  Sizes sizes;
+  for (const features::SlotFeature& one : of.features.slots) {
+    const int number = static_cast<int>(sizes.size());
+    sizes.push_back({SizeKind::slot, number, one.model, one.centres[1], one.axis, one.radius,
+                     "slot R" + of.length(one.radius), "<>"});
+    sizes.back().owner = {features::OwnerKind::slot, number};
+  }
+  return sizes;
+}
+
+Sizes list_arcs(const Listed& of) {
+  Sizes sizes;
+  for (const features::ArcFeature& one : of.features.arcs)
+    sizes.push_back({SizeKind::arc, static_cast<int>(sizes.size()), one.model, one.centre, one.axis, one.radius,
+                     "radius R" + of.length(one.radius), "<>"});
+  return sizes;
+}
+
+Sizes list_hexagons(const Listed& of) {
+  Sizes sizes;
+  for (const features::HexagonFeature& one : of.features.hexagons) {
+    const int number = static_cast<int>(sizes.size());
+    sizes.push_back({SizeKind::hexagon, number, one.model, one.centre, one.axis, one.across_flats / 2,
+                     "hexagon " + of.length(one.across_flats) + " across flats", "<>"});
+    sizes.back().owner = {features::OwnerKind::hexagon, number};
+  }
+  return sizes;
+}
+
+Sizes list_rings(const Listed& of) {
+  Sizes sizes;
+  for (const int number : find_rings(of.features)) {
+    const features::RoundFeature& one = of.features.rounds[static_cast<std::size_t>(number)];
+    sizes.push_back({SizeKind::ring, number, one.model, one.centre, one.axis, one.ring,
+                     "ring ⌀" + of.length(2 * one.ring) + " of a torus R" + of.length(one.radius), "<>"});
+  }
+  return sizes;
+}
+
+// Both widths of each.
+Sizes list_sides(const Listed& of) {
+  Sizes sizes;
+  for (std::size_t i = 0; i < of.prisms.size(); ++i)
+    for (const int side : {0, 1}) {
+      const TurnedPrism& prism = of.prisms[i];
+      const double width = prism.widths[static_cast<std::size_t>(side)];
+      sizes.push_back({SizeKind::side, static_cast<int>(i), prism.model, prism.centre, prism.axis, width / 2,
+                       "width " + of.length(width) + " of a turned " + (prism.inwards ? "hole" : "boss"), "<>", side});
+    }
+  return sizes;
+}
+
+bool are_equal_circles(const FeatureSize& a, const FeatureSize& b, const Listed&) {
+  return a.model == b.model && are_same(a.value, b.value) && are_parallel(a.axis, b.axis);
+}
+
+// The note of a fillet gives those of all axes.
+bool are_equal_arcs(const FeatureSize& a, const FeatureSize& b, const Listed& of) {
+  return a.model == b.model && are_written_alike(a.value, b.value, of.notation);
+}
+
+bool are_equal_rings(const FeatureSize& a, const FeatureSize& b, const Listed& of) {
+  const auto tube = [&](const FeatureSize& one) {
+    return of.features.rounds[static_cast<std::size_t>(one.feature)].radius;
   };
-  const auto length = [&](double value) { return length_text(value, notation); };
-  if (kind == SizeKind::pitch_circle)
-    for (const features::PitchCircleFeature& one : features.pitch_circles)
-      add(one.model, one.centre, one.axis, one.radius, "pitch circle ⌀" + length(2 * one.radius));
-  if (kind == SizeKind::slot)
-    for (const features::SlotFeature& one : features.slots)
-      add(one.model, one.centres[1], one.axis, one.radius, "slot R" + length(one.radius));
-  if (kind == SizeKind::ring)
-    for (const int number : find_rings(features)) {
-      const features::RoundFeature& one = features.rounds[static_cast<std::size_t>(number)];
-      add(one.model, one.centre, one.axis, one.ring,
-          "ring ⌀" + length(2 * one.ring) + " of a torus R" + length(one.radius));
-      sizes.back().feature = number;
-    }
-  if (kind == SizeKind::arc)
-    for (const features::ArcFeature& one : features.arcs)
-      add(one.model, one.centre, one.axis, one.radius, "radius R" + length(one.radius));
-  if (kind == SizeKind::hexagon)
-    for (const features::HexagonFeature& one : features.hexagons)
-      add(one.model, one.centre, one.axis, one.across_flats / 2,
-          "hexagon " + length(one.across_flats) + " across flats");
-  return sizes;
+  return are_equal_circles(a, b, of) && are_same(tube(a), tube(b));
 }
 
-// Both widths of each; equal ones have one note for each of them.
-std::vector<FeatureSize> list_sides(const std::vector<TurnedPrism>& prisms, const Notation& notation) {
-  std::vector<FeatureSize> sizes;
-  for (std::size_t i = 0; i < prisms.size(); ++i)
-    for (const double width : prisms[i].widths)
-      sizes.push_back({SizeKind::side, static_cast<int>(i), prisms[i].model, prisms[i].centre, prisms[i].axis,
-                       width / 2,
-                       std::string("width ") + length_text(width, notation) + " of a turned " +
-                           (prisms[i].inwards ? "hole" : "boss"),
-                       "<>"});
-  return sizes;
+// Equal ones have one note for each of their widths.
+bool are_equal_sides(const FeatureSize& a, const FeatureSize& b, const Listed& of) {
+  const auto prism = [&](const FeatureSize& one) -> const TurnedPrism& {
+    return of.prisms[static_cast<std::size_t>(one.feature)];
+  };
+  return a.part == b.part && are_equal(prism(a), prism(b));
 }
 
-std::vector<FeatureSize> list_sizes(const PartFeatures& features, SizeKind kind, const Notation& notation) {
-  if (kind == SizeKind::hole) return list_holes(features, notation);
-  if (kind == SizeKind::cylinder) return list_cylinders(features, notation);
-  if (kind == SizeKind::cone_end) return list_cone_ends(features, notation);
-  return list_others(features, kind, notation);
+// Of the features that two sizes have.
+template <auto features_of, auto are_equal_features>
+bool have_equal(const FeatureSize& a, const FeatureSize& b, const Listed& of) {
+  const auto& all = of.features.*features_of;
+  return are_equal_features(all[static_cast<std::size_t>(a.feature)], all[static_cast<std::size_t>(b.feature)]);
 }
+
+bool are_equal_holes(const features::HoleFeature& a, const features::HoleFeature& b) { return are_equal(a, b); }
+bool are_equal_hexagons(const features::HexagonFeature& a, const features::HexagonFeature& b) {
+  return are_equal(a, b);
+}
+
+/// A kind of sizes: how they are listed, and whether one note can give two of them.
+struct KindRow {
+  KindOfSize of;
+  Sizes (*list)(const Listed& of);
+  bool (*are_equal)(const FeatureSize& a, const FeatureSize& b, const Listed& of);
+};
+
+// In the order of SizeKind.
+constexpr std::array<KindRow, 9> kinds{{
+    {{SizeKind::hole, ShownBy::along_or_inside}, list_holes, have_equal<&PartFeatures::holes, are_equal_holes>},
+    {{SizeKind::cylinder, ShownBy::along_or_across},
+     list_cylinders,
+     have_equal<&PartFeatures::cylinders, are_equal_cylinders>},
+    {{SizeKind::pitch_circle, ShownBy::along}, list_pitch_circles, are_equal_circles},
+    {{SizeKind::cone_end, ShownBy::along_or_across}, list_cone_ends, are_equal_circles},
+    {{.kind = SizeKind::slot, .shown_by = ShownBy::along, .is_anywhere = true}, list_slots, are_equal_circles},
+    {{.kind = SizeKind::arc, .shown_by = ShownBy::along, .is_anywhere = true, .is_as_written = true},
+     list_arcs,
+     are_equal_arcs},
+    {{.kind = SizeKind::hexagon, .shown_by = ShownBy::none, .is_round = false},
+     list_hexagons,
+     have_equal<&PartFeatures::hexagons, are_equal_hexagons>},
+    {{SizeKind::ring, ShownBy::along_or_across}, list_rings, are_equal_rings},
+    {{.kind = SizeKind::side, .shown_by = ShownBy::along, .is_round = false}, list_sides, are_equal_sides},
+}};
 
 }  // namespace
 
 bool agree(double a, double b) { return std::abs(a - b) <= size_agrees * std::max(std::abs(a), std::abs(b)); }
+
+const KindOfSize& FeatureSize::of_kind() const {
+  const KindOfSize& own = kinds[static_cast<std::size_t>(kind)].of;
+  check(own.kind == kind, "kinds of sizes are in their order");
+  return own;
+}
 
 bool FeatureSize::is_equal(const WorldCircle& circle) const {
   return is_round() && are_parallel(axis, circle.axis) && agree(value, circle.radius);
@@ -177,10 +237,29 @@ std::size_t FeatureTable::first(SizeKind kind) const {
 }
 
 const FeatureSize& FeatureTable::size_of(SizeKind kind, std::size_t feature) const {
-  check(kind != SizeKind::cone_end, "a cone has a size at each end");
   const std::size_t number = first(kind) + feature;
-  check(number < sizes.size() && sizes[number].kind == kind, "a feature has a size");
+  check(number < sizes.size() && sizes[number].kind == kind && sizes[number].feature == static_cast<int>(feature),
+        "a feature of this kind has one size");
   return sizes[number];
+}
+
+std::span<const FeatureSize> FeatureTable::of_kind(SizeKind kind) const {
+  const auto begin = sizes.begin() + static_cast<std::ptrdiff_t>(first(kind));
+  return {begin, std::find_if(begin, sizes.end(), [kind](const FeatureSize& one) { return one.kind != kind; })};
+}
+
+std::size_t FeatureTable::number_of(const features::FaceOwner& owner) const {
+  const auto found = std::find_if(sizes.begin(), sizes.end(), [&owner](const FeatureSize& one) {
+    return one.owner.kind == owner.kind && one.owner.number == owner.number;
+  });
+  check(found != sizes.end(), "an owner of faces has a size");
+  return static_cast<std::size_t>(found - sizes.begin());
+}
+
+std::array<std::size_t, 2> FeatureTable::sides_of(std::size_t prism) const {
+  const std::size_t number = first(SizeKind::side) + 2 * prism;
+  check(number + 1 < sizes.size(), "a prism has two widths");
+  return {number, number + 1};
 }
 
 bool FeatureTable::is_turned(const Vec3& axis) const { return turned && are_parallel(axis, turned->axis); }
@@ -217,26 +296,17 @@ FeatureTable feature_table(const DimensionSubject& subject, const Notation& nota
     table.prisms = find_turned_prisms(features);
     table.turned = features::find_turned_part(features.inclined, features::points_of_faces(subject.world), flat);
   }
-  for (const SizeKind kind : {SizeKind::hole, SizeKind::cylinder, SizeKind::pitch_circle, SizeKind::cone_end,
-                              SizeKind::slot, SizeKind::arc, SizeKind::hexagon, SizeKind::ring}) {
+  const Listed listed{features, table.prisms, notation};
+  for (const KindRow& kind : kinds) {
     const auto begin = static_cast<int>(table.sizes.size());
-    for (FeatureSize& size : list_sizes(features, kind, notation)) {
+    for (FeatureSize& size : kind.list(listed)) {
       size.equal_to = static_cast<int>(table.sizes.size());
       for (int i = begin; i < size.equal_to; ++i)
         if (const FeatureSize& other = table.sizes[static_cast<std::size_t>(i)];
-            other.equal_to == i && are_equal_sizes(other, size, features, notation))
+            other.equal_to == i && kind.are_equal(other, size, listed))
           size.equal_to = i;
       table.sizes.push_back(std::move(size));
     }
-  }
-  const auto first_side = static_cast<int>(table.sizes.size());
-  for (FeatureSize& size : list_sides(table.prisms, notation)) {
-    const auto side = static_cast<int>(table.sizes.size()) - first_side;
-    const auto first = std::find_if(table.prisms.begin(), table.prisms.end(), [&](const TurnedPrism& one) {
-      return are_equal(one, table.prisms[std::size_t(size.feature)]);
-    });
-    size.equal_to = first_side + 2 * static_cast<int>(first - table.prisms.begin()) + side % 2;
-    table.sizes.push_back(std::move(size));
   }
   check(table.sizes.size() >= features.holes.size(), "each hole has a size");
   // One note describes holes about an axis.

@@ -3,13 +3,16 @@
 // dimensions, tables of holes and `epura lint` have in common.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "features/face_owners.hpp"
 #include "features/limits.hpp"
 #include "sheet/notation.hpp"
 #include "sizes/anchors.hpp"
@@ -28,6 +31,18 @@ bool agree(double a, double b);
 
 enum class SizeKind : unsigned char { hole, cylinder, pitch_circle, cone_end, slot, arc, hexagon, ring, side };
 
+/// Which views can give a size: of a chamfered hole, even one beside it that shows its inside; none: its own rules.
+enum class ShownBy : unsigned char { along, along_or_across, along_or_inside, none };
+
+/// What is the same of all sizes of a kind.
+struct KindOfSize {
+  SizeKind kind;
+  ShownBy shown_by;
+  bool is_anywhere = false;    ///< the note of any equal one gives it, as of fillets
+  bool is_round = true;        ///< a radius; of others half of a width
+  bool is_as_written = false;  ///< it is given where its number is: radii of short arcs are not accurate
+};
+
 struct FeatureSize {
   SizeKind kind;
   int feature;  ///< its number among those of this kind; of a cone_end, of its cone; of a ring, of
@@ -37,11 +52,16 @@ struct FeatureSize {
   double value;       ///< radius; of a hexagon, half across flats; of a side, half of the width across
   std::string name;   ///< "hole ⌀8 ↧12"
   std::string text;   ///< of a note, without the number of equal ones: "<> ↧12", where "<>" stands for the diameter
+  int part = 0;       ///< which of several sizes of a feature: the end of a cone, the width of a prism
   int equal_to = -1;  ///< number of the first size that the same note can give
+  features::FaceOwner owner{};        ///< of the faces that it gives, with its place; none for others
+  std::vector<double> other_radii{};  ///< that the same note gives, about the same axis
+  std::optional<Vec3> label_at{};     ///< where a table may label it
+  bool needs_text = false;            ///< whether a note has to say more than its diameter
 
-  /// Whether the note of any equal one gives it, as of fillets.
-  [[nodiscard]] bool is_anywhere() const { return kind == SizeKind::slot || kind == SizeKind::arc; }
-  [[nodiscard]] bool is_round() const { return kind != SizeKind::hexagon && kind != SizeKind::side; }
+  [[nodiscard]] const KindOfSize& of_kind() const;
+  [[nodiscard]] bool is_anywhere() const { return of_kind().is_anywhere; }
+  [[nodiscard]] bool is_round() const { return of_kind().is_round; }
   /// Whether it is that of a circle of this size and direction, or also of this place.
   [[nodiscard]] bool is_equal(const WorldCircle& circle) const;
   [[nodiscard]] bool is_at(const WorldCircle& circle) const;
@@ -63,6 +83,12 @@ struct FeatureTable {
   /// the order of the features.
   [[nodiscard]] std::size_t first(SizeKind kind) const;
   [[nodiscard]] const FeatureSize& size_of(SizeKind kind, std::size_t feature) const;
+  /// That of the size of an owner of faces, which has one.
+  [[nodiscard]] std::size_t number_of(const features::FaceOwner& owner) const;
+  /// All of a kind.
+  [[nodiscard]] std::span<const FeatureSize> of_kind(SizeKind kind) const;
+  /// The numbers of both widths of a prism.
+  [[nodiscard]] std::array<std::size_t, 2> sides_of(std::size_t prism) const;
   /// Whether features about an axis have their places in the own axes of a turned part; and these.
   [[nodiscard]] bool is_turned(const Vec3& axis) const;
   [[nodiscard]] OwnDirections own_directions(const Vec3& axis) const;

@@ -245,6 +245,18 @@ Planned hole_dimensions(const Planning& plan) {
   return planned;
 }
 
+Planned holes_left_out(const Planning& plan) {
+  Planned planned;
+  for (const auto& group : equal_features(plan.table, SizeKind::hole, plan.subject.features.holes)) {
+    check(!group.empty(), "a group of holes has one");
+    const NamedProjection* along = plan.views.along(group.front()->axis);
+    const NamedProjection* view =
+        along != nullptr ? along : plan.views.beside(group.front()->axis, group.front()->mouth);
+    if (view != nullptr) ++planned.omitted.too_many[view->name];
+  }
+  return planned;
+}
+
 Planned pitch_circle_dimensions(const Planning& plan) {
   Planned planned;
   if (has_table(plan)) return planned;

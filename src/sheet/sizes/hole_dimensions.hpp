@@ -12,6 +12,9 @@ Planned radial_hole_dimensions(const Planning& plan);
 /// Of all other holes: notes and positions, or rows of a table if one is wanted.
 Planned hole_dimensions(const Planning& plan);
 
+/// Of a crowded assembly, none: they are for drawings of groups of parts.
+Planned holes_left_out(const Planning& plan);
+
 /// None if a table of holes is wanted, which has their places.
 Planned pitch_circle_dimensions(const Planning& plan);
 

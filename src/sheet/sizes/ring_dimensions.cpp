@@ -49,9 +49,8 @@ std::vector<int> find_rings(const features::PartFeatures& features) {
 }
 
 Planned ring_dimensions(const Planning& plan) {
-  const std::vector<FeatureSize>& sizes = plan.table.sizes;
-  const auto at = [&](SizeKind kind) { return sizes.begin() + static_cast<std::ptrdiff_t>(plan.table.first(kind)); };
-  const std::vector<FeatureSize> rings(at(SizeKind::ring), at(SizeKind::side));
+  const std::span<const FeatureSize> all = plan.table.of_kind(SizeKind::ring);
+  const std::vector<FeatureSize> rings(all.begin(), all.end());
   const std::vector<RingGroup> groups = groups_of<FeatureSize>(
       rings, [](const FeatureSize& one, const FeatureSize& other) { return one.equal_to == other.equal_to; });
   Planned planned;

@@ -16,22 +16,14 @@ namespace {
 
 using Numbers = std::vector<std::size_t>;
 
-bool needs_text(const FeatureSize& size, const features::PartFeatures& features) {
-  if (size.kind != SizeKind::hole) return false;
-  const features::HoleFeature& hole = features.holes[static_cast<std::size_t>(size.feature)];
-  return hole.depth || hole.counterbore || hole.countersink;
-}
-
 // The sizes that a diameter or radius gives.
-Numbers sizes_of_circle(const AnchoredDimension& dimension, const DimensionSubject& subject,
-                        const FeatureTable& table) {
+Numbers sizes_of_circle(const AnchoredDimension& dimension, const FeatureTable& table) {
   check(!dimension.circles.empty(), "a diameter or radius is that of a circle");
   const bool many = repeats_of(dimension.text) > 1;
   const WorldCircle& circle = dimension.circles.front();
   std::vector<int> lists;
   for (const FeatureSize& size : table.sizes)
-    if (size.is_at(circle) && !(dimension.text.empty() && needs_text(size, subject.features)))
-      lists.push_back(size.equal_to);
+    if (size.is_at(circle) && !(dimension.text.empty() && size.needs_text)) lists.push_back(size.equal_to);
   if (lists.empty() && dimension.type == DimensionType::radius)
     for (const FeatureSize& size : table.sizes)
       if (size.is_anywhere() && size.is_equal(circle)) lists.push_back(size.equal_to);
@@ -59,25 +51,26 @@ Numbers sizes_of_angle(const AnchoredDimension& dimension, const DimensionSubjec
 // The widths of turned prisms that an aligned length gives; "2×" those of all equal ones.
 Numbers sizes_of_sides(const AnchoredDimension& dimension, const FeatureTable& table) {
   Numbers numbers;
-  const std::size_t first = table.first(SizeKind::side);
-  for (std::size_t i = first; i < table.sizes.size(); ++i)
-    for (std::size_t j = first; j < table.sizes.size(); ++j) {
-      const bool counts =
-          i == j || (repeats_of(dimension.text) > 1 && table.sizes[i].equal_to == table.sizes[j].equal_to);
-      if (counts && is_width_of(dimension, table.prisms[std::size_t(table.sizes[j].feature)], (j - first) % 2))
-        numbers.push_back(i);
-    }
+  for (std::size_t i = 0; i < table.prisms.size(); ++i)
+    for (std::size_t j = 0; j < table.prisms.size(); ++j)
+      for (const std::size_t side : {0, 1}) {
+        const std::size_t one = table.sides_of(i)[side], other = table.sides_of(j)[side];
+        const bool is_equal = table.sizes[one].equal_to == table.sizes[other].equal_to;
+        if ((i == j || (repeats_of(dimension.text) > 1 && is_equal)) && is_width_of(dimension, table.prisms[j], side))
+          numbers.push_back(one);
+      }
   return numbers;
 }
 
 Numbers sizes_of(const AnchoredDimension& dimension, const DimensionsInView& view, const DimensionSubject& subject,
                  const FeatureTable& table) {
   if (dimension.type == DimensionType::diameter || dimension.type == DimensionType::radius)
-    return sizes_of_circle(dimension, subject, table);
+    return sizes_of_circle(dimension, table);
   if (dimension.type == DimensionType::angular)
     return is_auxiliary(dimension) ? Numbers{} : sizes_of_angle(dimension, subject, table);
   Numbers numbers = hexagons_of(dimension, view, subject);
-  for (std::size_t& number : numbers) number += table.first(SizeKind::hexagon);
+  for (std::size_t& number : numbers)
+    number = table.number_of({features::OwnerKind::hexagon, static_cast<int>(number)});
   if (is_auxiliary(dimension)) return numbers;
   for (const std::size_t side : sizes_of_sides(dimension, table)) numbers.push_back(side);
   return numbers;
@@ -97,14 +90,14 @@ bool is_in_table(const FeatureSize& size, const SizesOnSheet& on_sheet, const fe
   return std::any_of(features.holes.begin(), features.holes.end(), [&](const features::HoleFeature& hole) {
     if (hole.pitch_circle < 0) return false;
     const features::PitchCircleFeature& circle = features.pitch_circles[std::size_t(hole.pitch_circle)];
-    return is_labelled(hole, on_sheet) && size.is_at({circle.centre, circle.axis, circle.radius, {}, true});
+    return is_labelled(hole.mouth, on_sheet) && size.is_at({circle.centre, circle.axis, circle.radius, {}, true});
   });
 }
 
 // Whether a size is the radius of a fillet that the dimension of another one gives. Radii of short arcs are not
 // accurate: the number that is written counts.
 bool is_radius_of_other(const FeatureSize& size, const SizesOnSheet& on_sheet, const Notation& notation) {
-  return size.kind == SizeKind::arc && std::any_of(on_sheet.radii.begin(), on_sheet.radii.end(), [&](double radius) {
+  return size.of_kind().is_as_written && std::any_of(on_sheet.radii.begin(), on_sheet.radii.end(), [&](double radius) {
            return length_text(radius, notation) == length_text(size.value, notation);
          });
 }
@@ -144,9 +137,9 @@ SizesOnSheet sizes_on_sheet(std::span<const DimensionsInView> views, const Dimen
   return on_sheet;
 }
 
-bool is_labelled(const features::HoleFeature& hole, const SizesOnSheet& on_sheet) {
+bool is_labelled(const Vec3& mouth, const SizesOnSheet& on_sheet) {
   return std::any_of(on_sheet.labels.begin(), on_sheet.labels.end(), [&](const WorldCircle& label) {
-    return glm::distance(label.centre, hole.mouth) <= size_agrees * label.radius;
+    return glm::distance(label.centre, mouth) <= size_agrees * label.radius;
   });
 }
 

@@ -21,7 +21,8 @@ struct SizesOnSheet {
 SizesOnSheet sizes_on_sheet(std::span<const DimensionsInView> views, const DimensionSubject& subject,
                             const FeatureTable& table);
 
-bool is_labelled(const features::HoleFeature& hole, const SizesOnSheet& on_sheet);
+/// Whether a table labels the hole with this mouth.
+bool is_labelled(const Vec3& mouth, const SizesOnSheet& on_sheet);
 
 /// Of each size in the table, whether it is given: by dimensions, by the size of the models, in a table of holes.
 std::vector<bool> given_sizes(const SizesOnSheet& on_sheet, const DimensionSubject& subject, const FeatureTable& table,

@@ -90,7 +90,7 @@ class TurnedFinder {
     bool any = false;
     for (std::size_t i = 0; around.are_even() && i < around.directions.size(); ++i) any = any || is_given(i);
     for (const std::size_t i : around.needed())
-      if (!any && !is_given(i) && !is_labelled(*around.holes[i], on_sheet_)) {
+      if (!any && !is_given(i) && !is_labelled(around.holes[i]->mouth, on_sheet_)) {
         found_.holes[number_of(around.holes[i])] = false;
         found_.missing.push_back(name_of(*around.holes[i]) + ": angle");
       }
@@ -102,7 +102,7 @@ class TurnedFinder {
     for (std::size_t i = 0; i < axes.size(); ++i) {
       if (!table_.is_turned(axes[i].axis) || has_own_place(axes[i].centre)) continue;
       const features::HoleFeature* hole = i < features_.holes.size() ? &features_.holes[i] : nullptr;
-      if (hole != nullptr && (hole->pitch_circle >= 0 || is_labelled(*hole, on_sheet_))) continue;
+      if (hole != nullptr && (hole->pitch_circle >= 0 || is_labelled(hole->mouth, on_sheet_))) continue;
       if (hole != nullptr) found_.holes[i] = false;
       found_.missing.push_back(axes[i].name + ": position along the axes of the turned part");
     }
