@@ -2,6 +2,7 @@
 #include "sizes/noted_circles.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -33,8 +34,11 @@ std::optional<Vec2> centre_through(const Vec2& a, const Vec2& b, const Vec2& c) 
   return a + Vec2(ac.y * square - ab.y * other, ab.x * other - ac.x * square) / twice;
 }
 
-CircleOfHoles circle_about(const Vec2& centre, double radius, const std::vector<Vec2>& places, double slack) {
-  CircleOfHoles found;
+// `across`: two directions across the axis of a hole, in which the centre and the places are given.
+CircleOfHoles circle_about(const Vec2& centre, double radius, const std::vector<Vec2>& places, double slack,
+                           const WorldCircle& hole, const std::array<Vec3, 2>& across) {
+  const Vec3 middle = centre.x * across[0] + centre.y * across[1] + glm::dot(hole.centre, hole.axis) * hole.axis;
+  CircleOfHoles found{{middle, hole.axis, radius, {}, true}, {}};
   for (const Vec2& place : places)
     if (std::abs(glm::distance(place, centre) - radius) <= slack)
       found.angles.push_back(std::atan2(place.y - centre.y, place.x - centre.x));
@@ -70,10 +74,10 @@ std::vector<CircleOfHoles> circles_of_holes(const WorldCircle& hole, const std::
   for (std::size_t i = 1; i < places.size(); ++i) {
     if (diameter)
       for (const Vec2& centre : centres_of(own, places[i], *diameter / 2, slack))
-        found.push_back(circle_about(centre, *diameter / 2, places, slack));
+        found.push_back(circle_about(centre, *diameter / 2, places, slack, hole, {u, v}));
     for (std::size_t j = 1; j < i && !diameter; ++j)
       if (const auto centre = centre_through(own, places[i], places[j]))
-        found.push_back(circle_about(*centre, glm::distance(own, *centre), places, slack));
+        found.push_back(circle_about(*centre, glm::distance(own, *centre), places, slack, hole, {u, v}));
   }
   return found;
 }

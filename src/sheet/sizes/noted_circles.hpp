@@ -10,6 +10,7 @@
 namespace epura::sheet {
 
 struct CircleOfHoles {
+  WorldCircle circle;
   std::vector<double> angles;  ///< of the axes on it, radians, ascending; each axis once
 
   /// Whether they divide the turn evenly.

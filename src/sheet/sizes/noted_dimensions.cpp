@@ -11,6 +11,7 @@
 #include "sizes/hole_judge.hpp"
 #include "sizes/hole_walls.hpp"
 #include "sizes/note_text.hpp"
+#include "sizes/noted_circles.hpp"
 
 namespace epura::sheet {
 
@@ -33,6 +34,24 @@ AnchoredDimension dimension_of(const std::string& text, DimensionType type, Worl
           .circles = {std::move(circle)},
           .offset = {},
           .text = text};
+}
+
+// "6× ⌀9 ON ⌀60": of the circle on which they are.
+std::optional<AnchoredDimension> dimension_of_circle(const std::string& text, const WorldCircle& hole,
+                                                     const HoleWalls& walls, const Notation& notation) {
+  const NotedText read = read_text(text, notation);
+  const auto noted =
+      std::ranges::find_if(read.elements, [](const NotedElement& one) { return one.role == NotedRole::circle; });
+  if (noted == read.elements.end() || read.count < 2) return std::nullopt;
+  std::vector<WorldCircle> equal;
+  for (const HoleChain& one : walls.chains_of(hole.radius))
+    equal.push_back({one.centre, one.axis, hole.radius, {}, true});
+  const auto circles = circles_of_holes(hole, equal, noted->least, 2 * walls.slack() + noted->slack);
+  const auto found = std::ranges::find_if(
+      circles, [&](const CircleOfHoles& one) { return one.angles.size() >= static_cast<std::size_t>(read.count); });
+  if (found == circles.end()) return std::nullopt;
+  check(found->circle.radius > 0, "what is round has a radius");
+  return dimension_of("⌀" + length_text(noted->least, notation), DimensionType::diameter, found->circle);
 }
 
 // Of all that are as it says.
@@ -63,10 +82,13 @@ std::vector<DimensionsInView> with_noted_sizes(std::span<const DimensionsInView>
                                                std::span<const std::string> general, const world::World& world,
                                                const Notation& notation) {
   std::vector<DimensionsInView> all(views.begin(), views.end());
-  const bool any = !general.empty() || std::ranges::any_of(all, [](const auto& view) { return !view.notes.empty(); });
+  const bool any = !general.empty() || std::ranges::any_of(all, [](const DimensionsInView& view) {
+    return !view.notes.empty() ||
+           std::ranges::any_of(view.dimensions, [](const auto& one) { return !one.text.empty(); });
+  });
   if (!any || all.empty()) return all;
   const HoleWalls walls(world);
-  for (DimensionsInView& view : all)
+  for (DimensionsInView& view : all) {
     for (const LeaderNote& note : view.notes) {
       const NotedText text = read_text(note.text, notation);
       const auto type = type_of(text);
@@ -77,6 +99,13 @@ std::vector<DimensionsInView> with_noted_sizes(std::span<const DimensionsInView>
       if (text.size() == nullptr || text.size()->allows(factor * meant.radius, factor * walls.slack()))
         view.dimensions.push_back(dimension_of(note.text, *type, meant));
     }
+    for (std::size_t i = 0; i < view.dimensions.size(); ++i) {
+      const AnchoredDimension& one = view.dimensions[i];
+      if (one.type != DimensionType::diameter || one.circles.empty() || one.text.empty()) continue;
+      if (auto circle = dimension_of_circle(one.text, one.circles.front(), walls, notation))
+        view.dimensions.push_back(std::move(*circle));
+    }
+  }
   for (const std::string& note : general)
     if (auto dimension = dimension_of_all(note, walls, notation))
       all.front().dimensions.push_back(std::move(*dimension));

@@ -12,8 +12,8 @@
 
 namespace epura::sheet {
 
-/// The views with a diameter or radius more for each such note whose size is that of the face there: those of all
-/// fillets or holes, `general`, in the first view.
+/// The views with a diameter or radius more for each such note whose size is that of the face there, and for each pitch
+/// circle that a note or dimension gives: those of all fillets or holes, `general`, in the first view.
 std::vector<DimensionsInView> with_noted_sizes(std::span<const DimensionsInView> views,
                                                std::span<const std::string> general, const world::World& world,
                                                const Notation& notation);

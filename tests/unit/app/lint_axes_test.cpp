@@ -325,5 +325,29 @@ TEST_F(JudgedNotes, ThatNobodyUnderstandsAreTold) {
   expect("", {"ISO 2768-mK", "deburred"});
 }
 
+// A flange of 4 holes, without and with the pitch circle, by a dimension and by a note.
+TEST_F(LintAxes, OfPitchCirclesInTexts) {
+  folder_.file("part.obj", flange(4, {15, 50, 36, 5}, 12));
+  const auto judged = [&](const std::string& holes) {
+    const std::string scene =
+        folder_.file("scene.toml",
+                     "views = ['front', 'top']\nmodel = [{file = 'part.obj'}]\n[[dimension]]\ntype = 'overall'\n"
+                     "[[dimension]]\ntype = 'diameter'\nview = 'top'\nat = {point = [15, 0, 12]}\n" +
+                         holes);
+    return epura({"lint", scene, "--all"}, folder_ / "");
+  };
+  const std::string rim = "view = 'top'\nXX = {point = [30.455844122715711, 25.455844122715711, 12]}\n";
+  const std::string dimension = "[[dimension]]\ntype = 'diameter'\n" + replaced(rim, "XX", "at") + "text = ";
+  const std::string note = "[[note]]\n" + replaced(rim, "XX", "to") + "text = ";
+  const Outcome without = judged(dimension + "'4× <>'\n");
+  EXPECT_EQ(without.code, 1) << without.err;
+  EXPECT_TRUE(contains(without.out, "pitch circle ⌀72")) << without.out;
+  for (const std::string& holes : {dimension + "'4× <> ON ⌀72 BC'\n", note + "'4× ⌀10 auf Lochkreis 72'\n"}) {
+    const Outcome run = judged(holes);
+    EXPECT_EQ(run.code, 0) << holes << run.out << run.err;
+  }
+  EXPECT_TRUE(contains(judged(dimension + "'4× <> ON ⌀70 BC'\n").out, "untrue"));
+}
+
 }  // namespace
 }  // namespace epura::test::lint_axes_test
