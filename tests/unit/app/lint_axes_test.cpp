@@ -331,7 +331,8 @@ TEST_F(LintAxes, OfPitchCirclesInTexts) {
   const auto judged = [&](const std::string& holes) {
     const std::string scene =
         folder_.file("scene.toml",
-                     "views = ['front', 'top']\nmodel = [{file = 'part.obj'}]\n[[dimension]]\ntype = 'overall'\n"
+                     "view = [{projection = 'front', centre_lines = true}, {projection = 'top', centre_lines = true}]\n"
+                     "model = [{file = 'part.obj'}]\n[[dimension]]\ntype = 'overall'\n"
                      "[[dimension]]\ntype = 'diameter'\nview = 'top'\nat = {point = [15, 0, 12]}\n" +
                          holes);
     return epura({"lint", scene, "--all"}, folder_ / "");
