@@ -41,7 +41,9 @@ class BevelFinder {
       bevel.rounded[end] = next->rounded;
       bevel.ends[end] = next->rounded ? meeting_of(face, next->face, along) : corner_at(face, up, at);
     }
-    if (bevel.across[0] < 0 && bevel.across[1] < 0) return std::nullopt;
+    // The flanks of a lever meet in one corner, beyond the eyes at both ends, of whose places and radii they follow.
+    const bool is_flank = bevel.rounded[0] && bevel.rounded[1] && neighbours[0] == neighbours[1];
+    if (is_flank || (bevel.across[0] < 0 && bevel.across[1] < 0)) return std::nullopt;
     bevel.ends[1][along] = bevel.ends[0][along];
     bevel.is_chamfer = is_chamfer(bevel, neighbours);
     return bevel;

@@ -45,10 +45,43 @@ RoundEnd end_of(const features::ArcFeature& arc, int number) {
 }
 
 bool is_face_of(const surfaces::PartFace& face, const features::ArcFeature& arc) {
-  return face.surface.kind == surfaces::SurfaceKind::cylinder && face.inwards &&
+  return face.surface.kind == surfaces::SurfaceKind::cylinder && face.inwards == arc.inwards &&
          features::are_same(face.surface.radius, arc.radius) && features::are_parallel(face.surface.axis, arc.axis) &&
          features::distance_from_line(arc.centre, face.surface.origin, face.surface.axis) <=
              10 * features::same_size * arc.radius;
+}
+
+// Of each arc, how many faces go on from it tangentially; -1 for one that is no face of a cylinder.
+std::vector<int> count_tangents(const DimensionSubject& subject) {
+  const std::vector<features::ArcFeature>& arcs = subject.features.arcs;
+  std::vector<int> counts(arcs.size(), -1);
+  for (std::size_t model = 0; model < subject.world.models.size() && !arcs.empty(); ++model) {
+    const world::Placed& placed = subject.world.models[model];
+    const auto part = placed.part == nullptr ? std::nullopt : world::place_part(placed);
+    if (!part) continue;
+    const auto borders = features::borders_of_faces(placed);
+    check(borders.size() == part->faces.size(), "each face has its borders");
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      const auto face =
+          std::ranges::find_if(part->faces, [&](const surfaces::PartFace& one) { return is_face_of(one, arcs[i]); });
+      if (arcs[i].model != static_cast<int>(model) || face == part->faces.end()) continue;
+      const auto& beside = borders[static_cast<std::size_t>(face - part->faces.begin())];
+      counts[i] = static_cast<int>(std::ranges::count_if(beside, &features::FaceBorder::tangent));
+    }
+  }
+  return counts;
+}
+
+// The nose of a cam: of less than half a turn, and nothing reaches farther. Between slopes: a rounded corner beside a
+// face along an axis of the world has a theoretical corner.
+bool is_nose(const RoundEnd& end, const DimensionSubject& subject) {
+  bool is_at_end = false;
+  for (const int along : {0, 1, 2})
+    for (const int side : {0, 1}) {
+      if (end.has_side(along, side)) return false;
+      is_at_end = is_at_end || end.ends_models(along, side, subject.extents[static_cast<std::size_t>(along)]);
+    }
+  return is_at_end;
 }
 
 // Whether the size of the models along another axis is its diameter.
@@ -99,11 +132,13 @@ FlatEnds find_flat_ends(const DimensionSubject& subject) {
 
 std::vector<RoundEnd> find_round_ends(const DimensionSubject& subject, const FlatEnds& flat) {
   const features::PartFeatures& features = subject.features;
+  const std::vector<int> tangents = count_tangents(subject);
   std::vector<RoundEnd> ends;
   for (std::size_t i = 0; i < features.arcs.size(); ++i) {
     if (features.arcs[i].inwards) continue;
     const RoundEnd end = end_of(features.arcs[i], static_cast<int>(i));
-    if (is_half_turn(end.half) || has_hole(features, end)) ends.push_back(end);
+    if (is_half_turn(end.half) || has_hole(features, end) || (tangents[i] > 1 && is_nose(end, subject)))
+      ends.push_back(end);
   }
   // The drawing of an assembly gives the places of its parts alone.
   if (features.of_assembly) return ends;
@@ -127,24 +162,13 @@ std::vector<RoundEnd> find_round_ends(const DimensionSubject& subject, const Fla
 
 std::vector<RoundEnd> find_channels(const DimensionSubject& subject) {
   const std::vector<features::ArcFeature>& arcs = subject.features.arcs;
+  const std::vector<int> tangents = count_tangents(subject);
   std::vector<RoundEnd> channels;
-  for (std::size_t model = 0; model < subject.world.models.size() && !arcs.empty(); ++model) {
-    const world::Placed& placed = subject.world.models[model];
-    const auto part = placed.part == nullptr ? std::nullopt : world::place_part(placed);
-    if (!part) continue;
-    const auto borders = features::borders_of_faces(placed);
-    for (std::size_t i = 0; i < arcs.size(); ++i) {
-      if (!arcs[i].inwards || arcs[i].model != static_cast<int>(model)) continue;
-      const auto face = std::find_if(part->faces.begin(), part->faces.end(),
-                                     [&](const surfaces::PartFace& one) { return is_face_of(one, arcs[i]); });
-      if (face == part->faces.end()) continue;
-      check(borders.size() == part->faces.size(), "each face has its borders");
-      const auto& beside = borders[static_cast<std::size_t>(face - part->faces.begin())];
-      RoundEnd channel = end_of(arcs[i], static_cast<int>(i));
-      channel.is_tangent =
-          std::any_of(beside.begin(), beside.end(), [](const features::FaceBorder& one) { return one.tangent; });
-      if (!channel.is_tangent || is_half_turn(channel.half)) channels.push_back(channel);
-    }
+  for (std::size_t i = 0; i < arcs.size(); ++i) {
+    if (!arcs[i].inwards || tangents[i] < 0) continue;
+    RoundEnd channel = end_of(arcs[i], static_cast<int>(i));
+    channel.is_tangent = tangents[i] > 0;
+    if (!channel.is_tangent || is_half_turn(channel.half)) channels.push_back(channel);
   }
   return channels;
 }

@@ -33,7 +33,8 @@ struct RoundEnd {
 using features::FlatEnds;
 FlatEnds find_flat_ends(const DimensionSubject& subject);
 
-/// Those of half a turn or more, others around the axis of a hole, and bosses in which the models end.
+/// Those of half a turn or more, others around the axis of a hole, others between slopes in which the models end, and
+/// bosses in which they do.
 std::vector<RoundEnd> find_round_ends(const DimensionSubject& subject, const FlatEnds& flat);
 
 /// Open channels, notches and ends of open slots: cut into the material, of half a turn or more, or with no face beside
