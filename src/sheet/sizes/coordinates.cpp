@@ -87,9 +87,15 @@ bool Coordinates::is_known(int axis, double at) const {
                      [&](double known) { return std::abs(known - at) <= slack_; });
 }
 
-void Coordinates::add(const Coordinate& coordinate) {
-  check(coordinate.view != nullptr && coordinate.axis >= 0 && coordinate.axis < 3,
-        "a coordinate is along an axis, in a view");
+void Coordinates::add(const Coordinate& found) {
+  check(found.view != nullptr && found.axis >= 0 && found.axis < 3, "a coordinate is along an axis, in a view");
+  // Corners of a face of a mesh are off its plane, by so little that those of two steps may change places.
+  Coordinate coordinate = found;
+  const auto put = [this](Coordinate& one) {
+    for (Vec3* point : {&one.point, &one.opposite})
+      if (std::abs((*point)[one.axis] - one.at) > slack_) (*point)[one.axis] = one.at;
+  };
+  put(coordinate);
   if (!keeps_positions(*coordinate.view, coordinate.axis)) return;
   for (Coordinate& other : coordinates_)
     if (other.axis == coordinate.axis && std::abs(other.at - coordinate.at) <= slack_) {
@@ -100,11 +106,11 @@ void Coordinates::add(const Coordinate& coordinate) {
       if (kept && !was_kept) {
         other.point = coordinate.point;
         other.opposite = coordinate.opposite;
-        return;
+        return put(other);
       }
       if (rank(other, coordinate.point) > rank(other, other.point)) other.point = coordinate.point;
       if (rank(other, coordinate.opposite) < rank(other, other.opposite)) other.opposite = coordinate.opposite;
-      return;
+      return put(other);
     }
   if (!is_known(coordinate.axis, coordinate.at)) coordinates_.push_back(coordinate);
 }
