@@ -52,12 +52,14 @@ pipeline::DrawnScene draw_unjudged(const scene::SceneDescription& scene, pipelin
   return pipeline::draw_scene(scene, options, {pipeline::silent_messages(), {}, watch});
 }
 
-// The older version on the sheets of the new one, with the views that were added to these.
+// The older version on the sheets of the new one, with the views that were added to these, and lying as that does.
 void use_sheets(const pipeline::DrawnScene& newer, scene::SceneDescription& older) {
   const std::vector<pipeline::FinishedSheet>& sheets = newer.sheets;
   if (std::ranges::any_of(older.views, &scene::ViewDescription::is_automatic)) {
-    older.views = newer.views;
+    older.views = newer.scene.views;
     for (scene::ViewDescription& view : older.views) view.is_automatic = false;
+    for (std::size_t i = 0; i < std::min(newer.scene.models.size(), older.models.size()); ++i)
+      if (!older.models[i].transform.given()) older.models[i].transform = newer.scene.models[i].transform;
   }
   for (std::size_t i = 0; i < std::min(sheets.size(), older.sheets.size()); ++i) {
     scene::SheetDescription& sheet = older.sheets[i];

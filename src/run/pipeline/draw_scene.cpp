@@ -213,7 +213,6 @@ PreparedSheet Run::prepare_sheet(const ShownWorlds& worlds, SheetOfViews views) 
 
 // What is lacking is known before anything is drawn.
 PreparedSheet Run::prepare_with_added_views(const ShownWorlds& worlds, SheetOfViews views) {
-  const int number = views.sheet;
   if (std::ranges::none_of(views.descriptions, &scene::ViewDescription::is_automatic))
     return prepare_sheet(worlds, std::move(views));
   const Gathered before = gathered;
@@ -230,7 +229,7 @@ PreparedSheet Run::prepare_with_added_views(const ShownWorlds& worlds, SheetOfVi
     add_all(lacking, views_for_hidden(worlds.main(), sheet.views, sheet.seen, sheet.annotations, progress));
   }
   scene::SceneDescription extended = described;
-  const std::size_t added = add_views(extended, number, lacking);
+  const std::size_t added = add_views(extended, views.sheet, lacking);
   if (added == 0) {
     held.tell(messages);
     return sheet;
@@ -239,7 +238,7 @@ PreparedSheet Run::prepare_with_added_views(const ShownWorlds& worlds, SheetOfVi
   gathered.views_left += added;
   required = open;
   scene = std::move(extended);
-  SheetOfViews all = std::move(views_by_sheet(scene, plan_views(scene, options))[std::size_t(number)]);
+  SheetOfViews all = std::move(views_by_sheet(scene, plan_views(scene, options))[std::size_t(views.sheet)]);
   all.states_error = views.states_error;
   find_details(all, scene);
   return prepare_sheet(worlds, std::move(all));
@@ -522,6 +521,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   const double for_views = seconds_for_views(world, seconds_now(progress), scene.views.size());
   recognise_parts(world, scene, options, gathered.report, progress.with_more_time(-for_views));
   doubt_unit(messages, scene, world, read.without_unit);
+  turn_to_own_axes(world, scene, messages);
   find_features(scene, world);
   if (!scene.requirements.empty()) state_by_features(required, scene, world);
   if (options.balloons == Balloons::characteristics) warn_of_no_characteristics(messages, required);
@@ -581,7 +581,7 @@ DrawnScene draw_once(const scene::SceneDescription& scene, const RunOptions& opt
     throw OutOfTime{run.gathered.report.partial.stages.front()};
   run.judge(run.gathered.report.errors);
   return {std::move(finished), std::move(run.gathered.report), std::move(run.gathered.answers),
-          std::move(run.gathered.rebuilt), std::move(run.scene.views)};
+          std::move(run.gathered.rebuilt), std::move(run.scene)};
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ struct DrawnScene {
   report::Report report;
   std::string answers;                          ///< to RunOptions::why and dump
   std::optional<sheet::RebuiltPart> rebuilt{};  ///< if requested, and possible
-  std::vector<scene::ViewDescription> views{};  ///< of the scene, and those that were added on request
+  scene::SceneDescription scene{};              ///< with the views that were added on request, and the model as it lies
 };
 
 /// Reads the models and draws all views. The scene must have models, named views and sheets. Several threads may draw

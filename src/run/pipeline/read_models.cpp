@@ -83,11 +83,6 @@ KeptModel leave_out(KeptModel model, const std::vector<scene::StyleDescription>&
   return without_mesh(std::move(model.rest));
 }
 
-bool wants_wires(const scene::SceneDescription& scene) {
-  return std::any_of(scene.views.begin(), scene.views.end(),
-                     [](const scene::ViewDescription& view) { return view.edges.value_or({}).wire; });
-}
-
 // Without a power of ten, if it is legible so.
 std::string size_text(double size) {
   return size < 1e3 || size > 1e9 ? format_rounded(size, 4) : format_fixed(size, 0);
@@ -220,6 +215,11 @@ void note_saved_views(const scene::SceneDescription& scene, const importer::Read
 }
 
 }  // namespace
+
+bool wants_wires(const scene::SceneDescription& scene) {
+  return std::any_of(scene.views.begin(), scene.views.end(),
+                     [](const scene::ViewDescription& view) { return view.edges.value_or({}).wire; });
+}
 
 Mat4 place_of(const scene::ModelDescription& model, const importer::ReadModel& read) {
   const double unit = model.unit.given() ? scene::millimetres(*model.unit) : read.unit.value_or(1);

@@ -37,6 +37,9 @@ double part_of_drawings(const scene::SceneDescription& scene, double error);
 /// in the file.
 Mat4 place_of(const scene::ModelDescription& model, const importer::ReadModel& read);
 
+/// Whether any view draws edges without faces, which widen the box of the world then.
+bool wants_wires(const scene::SceneDescription& scene);
+
 struct ReadWorld {
   world::World world;
   std::vector<std::vector<importer::BodyPart>> parts{};  ///< of the bodies of each model

@@ -6,11 +6,14 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/parallel.hpp"
 #include "composition/annotations.hpp"
 #include "edges/find_edges.hpp"
+#include "pipeline/read_models.hpp"
+#include "sizes/own_frame.hpp"
 #include "surfaces/recognise.hpp"
 #include "views/time_for_lines.hpp"
 #include "views/view_plan.hpp"
@@ -119,6 +122,26 @@ void recognise_parts(world::World& world, const scene::SceneDescription& scene, 
                                      : "edges are those of faces in " + std::to_string(models) + " of " +
                                            std::to_string(world.models.size()) + " models",
                          triangles, faces});
+}
+
+void turn_to_own_axes(world::World& world, scene::SceneDescription& scene, const Messages& messages) {
+  const bool are_chosen = std::ranges::all_of(scene.views, &scene::ViewDescription::is_automatic);
+  const bool has_places = scene.dimensions.size() > 1 || !scene.sections.empty() || !scene.details.empty() ||
+                          !scene.broken_outs.empty() || !scene.revolved.empty() || !scene.explosions.empty() ||
+                          !scene.threads.empty() || !scene.callouts.empty() || !scene.requirements.empty();
+  if (!are_chosen || has_places || !dimensions_features(scene) || world.models.size() != 1 ||
+      scene.models.front().transform.given() || world.models.front().mesh->report.bodies > 1)
+    return;
+  const auto turn = sheet::turn_to_own_frame(world);
+  if (!turn) return;
+  scene.models.front().transform = {*turn, "--views auto"};
+  world::Placed& placed = world.models.front();
+  placed.to_world = *turn * placed.to_world;
+  auto styles = std::move(world.styles);
+  world = world::make_world(std::move(world.models), wants_wires(scene));
+  world.styles = std::move(styles);
+  messages.print(world.models.front().mesh->report.name + " lies askew and is drawn along its own axes: --transform '" +
+                 sheet::words_of_turn(*turn) + "'; --transform rotate:z,0 leaves it as it lies\n");
 }
 
 }  // namespace epura::pipeline

@@ -5,6 +5,7 @@
 #include "base/progress.hpp"
 #include "report/report.hpp"
 #include "scene/description.hpp"
+#include "views/messages.hpp"
 #include "views/options.hpp"
 #include "world/world.hpp"
 
@@ -18,5 +19,9 @@ inline constexpr const char* recognising_faces = "recognising faces";
 /// been until now, for reading: it takes longer. The report also has the error of tessellation.
 void recognise_parts(world::World& world, const scene::SceneDescription& scene, const RunOptions& options,
                      report::Report& report, Progress progress);
+
+/// Turns a part that lies askew to the axes along which it is to be seen, and tells so: dimensions are along its own
+/// axes. Only where the scene refers to no place of the world, and all its views are automatic.
+void turn_to_own_axes(world::World& world, scene::SceneDescription& scene, const Messages& messages);
 
 }  // namespace epura::pipeline

@@ -408,7 +408,7 @@ std::vector<std::string> distinct(const std::vector<std::string>& names) {
 Coverage find_coverage(std::span<const DimensionsInView> views, const DimensionSubject& subject,
                        const Notation& notation, std::span<const char> held) {
   Dimensioned sheet{views, subject, notation, feature_table(subject, notation), {}, {}, {}};
-  sheet.transform = transform_to_own_frame(subject.world);
+  if (const auto turn = turn_to_own_frame(subject.world)) sheet.transform = words_of_turn(*turn);
   sheet.on_sheet = sizes_on_sheet(views, subject, sheet.table);
   check(held.empty() || subject.world.models.size() == 1, "faces are held of a single model");
   sheet.on_sheet.held = held;

@@ -4,9 +4,14 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numbers>
+#include <sstream>
 #include <utility>
 
 #include "at_length.hpp"
+#include "base/text.hpp"
+#include "base/vec.hpp"
 #include "crossed_parts.hpp"
 #include "drawn_texts.hpp"
 #include "errors.hpp"
@@ -228,6 +233,114 @@ TEST_F(MissingSizes, OfPartsBetweenSlopesAreGivenAlongTheirMiddle) {
         epura({"lint", part, "--views", "front", "--dimensions", "auto", "--transform", turned}, folder / "");
     EXPECT_EQ(found.code, 1) << found.err;
     EXPECT_EQ(proposed_transform(found.out + found.err), proposed) << found.out << found.err;
+  }
+}
+
+// The file itself, about z by degrees.
+std::string turned_about_z(const std::string& obj, double angle) {
+  std::istringstream lines(obj);
+  std::string turned;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string key;
+    Vec3 p{0};
+    if (words >> key >> p.x >> p.y >> p.z; key == "v")
+      line = "v " + format_number(cosine(angle) * p.x - sine(angle) * p.y) + " " +
+             format_number(sine(angle) * p.x + cosine(angle) * p.y) + " " + format_number(p.z);
+    turned += line + "\n";
+  }
+  return turned;
+}
+
+// Nobody has chosen how it lies, so it is drawn as a draughtsman would lay it.
+TEST_F(MissingSizes, OfPartsThatLieAskewAreAlongTheirAxesInAutomaticViews) {
+  for (const KnownPart& known : {plates()[0], plates()[4], wedges_with_pairs()[3]})
+    for (const double angle : {13.0, -27.0, 40.0}) {
+      const std::string part = folder.file("part.obj", turned_about_z(known.obj, angle));
+      const auto run = [&](const Words& more) {
+        Words arguments{"lint", part, "--dimensions", "auto", "-o", "x.svg"};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return epura(arguments, folder / "");
+      };
+      const Outcome along = run({});
+      EXPECT_EQ(along.code, 0) << known.name << ": " << along.out << along.err;
+      EXPECT_TRUE(contains(along.out + along.err, "lies askew")) << along.out << along.err;
+      EXPECT_EQ(sorted(dimensions_in(read_file(folder / "x.svg"))), sorted(known.texts)) << known.name;
+      for (const Words& chosen : {Words{"--transform", "rotate:z,0"}, Words{"--views", "front,top,left"}})
+        EXPECT_FALSE(contains(run(chosen).err, "lies askew")) << known.name;
+    }
+}
+
+// The older version lies as the new one does.
+TEST_F(MissingSizes, OfPartsThatLieAskewAreTheSameInARevision) {
+  const std::string scene = "views = [\"auto\"]\nmodel = {file = \"part.obj\"}\n[[dimension]]\ntype = \"auto\"\n";
+  folder.file("part.obj", turned_about_z(plates()[4].obj, 27));
+  folder.file("old.toml", scene);
+  const Outcome drawn =
+      epura({"draw", folder.file("new.toml", scene), "--revise", "old.toml", "-o", "x.svg"}, folder / "");
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_TRUE(contains(drawn.err, "lies askew")) << drawn.err;
+  EXPECT_TRUE(contains(drawn.err, "nothing differs")) << drawn.err;
+}
+
+// Two eyes, of radii at a distance along x, and the tangents to both, of some depth along y.
+std::string lever(double first, double second, double distance, double depth) {
+  const double tangent = std::acos((first - second) / distance) * 180 / std::numbers::pi;
+  Loop outline = arc_of(first, tangent, 360 - tangent);
+  for (const Vec2& point : arc_of(second, -tangent, tangent)) outline.emplace_back(point.x + distance, point.y);
+  return block(outline, depth);
+}
+
+// The nose of a cam is less than half a turn, between flanks that follow from both radii and their distance; those of
+// a lever that are parallel to no axis have no angle either.
+TEST_F(MissingSizes, OfCamsAreRadiiAndTheDistanceOfTheirCentres) {
+  std::vector<KnownPart> cams;
+  for (int nose = 5; nose <= 12; ++nose)
+    for (const int distance : {25, 30, 40}) {
+      const Words texts{number(distance), "R" + number(nose), "(" + number(20 + distance + nose) + ")", "⌀40", "12"};
+      cams.push_back({"cam R" + number(nose), lever(20, nose, distance, 12), texts});
+    }
+  expect_known(cams);
+}
+
+// Of a flank that lies along an axis, the other one is no slope: they meet beyond both eyes.
+TEST_F(MissingSizes, OfLeversOnOneFlankAreFound) {
+  for (const double sign : {1.0, -1.0}) {
+    const double lean = sign * std::asin(10.0 / 92) * 180 / std::numbers::pi;
+    const Outcome run = epura({"lint", folder.file("part.obj", lever(20, 10, 92, 12)), "--views", "front,top,left",
+                               "--dimensions", "auto", "-o", "x.svg", "--transform", "rotate:y," + format_number(lean)},
+                              folder / "");
+    EXPECT_NE(run.code, 2) << run.err;
+  }
+}
+
+// Corners that an offset outwards and inwards has left, of 0.12: those of one step are where others stand.
+TEST_F(MissingSizes, OfFacesThatAreHardlyTurnedHaveNoPlaceTwice) {
+  const Loop outline{{-15, -14.8773},
+                     {-14.9943, -14.9943},
+                     {-14.8773, -15},
+                     {14.8773, -15},
+                     {14.9943, -14.9943},
+                     {15, -14.8773},
+                     {15, -6},
+                     {69.8773, -6},
+                     {69.9943, -5.9943},
+                     {70, -5.8773},
+                     {70, 5.8773},
+                     {69.9943, 5.9943},
+                     {69.8773, 6},
+                     {15, 6},
+                     {15, 44.8773},
+                     {14.9943, 44.9943},
+                     {14.8773, 45},
+                     {-14.8773, 45},
+                     {-14.9943, 44.9943},
+                     {-15, 44.8773}};
+  for (const char* turn : {"rotate:y,0.00544", "rotate:y,-0.00544", "rotate:y,0.0055", "rotate:y,0.0052"}) {
+    const Outcome run = epura({"lint", folder.file("part.obj", block(outline, 8)), "--views", "front,top,left",
+                               "--dimensions", "auto", "-o", "x.svg", "--transform", turn},
+                              folder / "");
+    EXPECT_NE(run.code, 2) << turn << ": " << run.err;
   }
 }
 
