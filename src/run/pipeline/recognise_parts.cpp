@@ -130,7 +130,7 @@ void turn_to_own_axes(world::World& world, scene::SceneDescription& scene, const
                           !scene.broken_outs.empty() || !scene.revolved.empty() || !scene.explosions.empty() ||
                           !scene.threads.empty() || !scene.callouts.empty() || !scene.requirements.empty();
   if (!are_chosen || has_places || !dimensions_features(scene) || world.models.size() != 1 ||
-      scene.models.front().transform.given() || world.models.front().mesh->report.bodies > 1)
+      scene.models.front().transform.given())
     return;
   const auto turn = sheet::turn_to_own_frame(world);
   if (!turn) return;

@@ -136,8 +136,10 @@ std::optional<Mat4> turn_to_own_frame(const world::World& world) {
   if (!part) return std::nullopt;
   const Directions directions = directions_of(part->faces);
   const Share as_it_lies = along_axes_of(Mat3(1), directions);
+  double whole = 0;
+  for (const surfaces::PartFace& face : part->faces) whole += face.area;
   std::optional<Mat3> best;
-  double largest = as_it_lies.area * (1 + features::same_size);
+  double largest = std::max(whole / 2, as_it_lies.area * (1 + features::same_size));
   for (const Mat3& frame : frames_of(directions))
     if (const Share share = along_axes_of(frame, directions);
         share.area > largest * (1 + features::same_size) && share.faces > as_it_lies.faces + 1) {

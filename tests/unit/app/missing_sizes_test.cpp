@@ -271,6 +271,33 @@ TEST_F(MissingSizes, OfPartsThatLieAskewAreAlongTheirAxesInAutomaticViews) {
     }
 }
 
+// Two plates side by side, turned together.
+TEST_F(MissingSizes, OfAssembliesThatLieAskewAreAlongTheirAxesInAutomaticViews) {
+  std::string both = plates()[0].obj;
+  const auto count = static_cast<int>(std::count(both.begin(), both.end(), 'v'));
+  std::istringstream lines(plates()[0].obj);
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string key;
+    words >> key;
+    both += key;
+    if (Vec3 p{0}; key == "v" && words >> p.x >> p.y >> p.z)
+      both += " " + format_number(p.x) + " " + format_number(p.y) + " " + format_number(p.z + 200);
+    for (int corner = 0; key == "f" && words >> corner;) both += " " + std::to_string(corner + count);
+    both += "\n";
+  }
+  const auto texts = [&](double angle) {
+    const Outcome run =
+        epura({"draw", folder.file("two.obj", turned_about_z(both, angle)), "--dimensions", "auto", "-o", "x.svg"},
+              folder / "");
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(contains(run.err, "lies askew"), angle != 0) << run.err;
+    return sorted(dimensions_in(read_file(folder / "x.svg")));
+  };
+  EXPECT_EQ(texts(27), texts(0));
+  EXPECT_FALSE(texts(0).empty());
+}
+
 // The older version lies as the new one does.
 TEST_F(MissingSizes, OfPartsThatLieAskewAreTheSameInARevision) {
   const std::string scene = "views = [\"auto\"]\nmodel = {file = \"part.obj\"}\n[[dimension]]\ntype = \"auto\"\n";
