@@ -126,9 +126,11 @@ void recognise_parts(world::World& world, const scene::SceneDescription& scene, 
 
 void turn_to_own_axes(world::World& world, scene::SceneDescription& scene, const Messages& messages) {
   const bool are_chosen = std::ranges::all_of(scene.views, &scene::ViewDescription::is_automatic);
-  const bool has_places = scene.dimensions.size() > 1 || !scene.sections.empty() || !scene.details.empty() ||
-                          !scene.broken_outs.empty() || !scene.revolved.empty() || !scene.explosions.empty() ||
-                          !scene.threads.empty() || !scene.callouts.empty() || !scene.requirements.empty();
+  const auto is_anchored = [](const scene::DimensionDescription& one) { return !one.anchors.empty(); };
+  const bool has_places = std::ranges::any_of(scene.dimensions, is_anchored) || !scene.sections.empty() ||
+                          !scene.details.empty() || !scene.broken_outs.empty() || !scene.revolved.empty() ||
+                          !scene.explosions.empty() || !scene.threads.empty() || !scene.callouts.empty() ||
+                          !scene.requirements.empty();
   if (!are_chosen || has_places || !dimensions_features(scene) || world.models.size() != 1 ||
       scene.models.front().transform.given())
     return;

@@ -266,6 +266,7 @@ TEST_F(MissingSizes, OfPartsThatLieAskewAreAlongTheirAxesInAutomaticViews) {
       EXPECT_EQ(along.code, 0) << known.name << ": " << along.out << along.err;
       EXPECT_TRUE(contains(along.out + along.err, "lies askew")) << along.out << along.err;
       EXPECT_EQ(sorted(dimensions_in(read_file(folder / "x.svg"))), sorted(known.texts)) << known.name;
+      EXPECT_TRUE(contains(run({"--tolerance", "⌀8=H7"}).err, "lies askew")) << known.name;
       for (const Words& chosen : {Words{"--transform", "rotate:z,0"}, Words{"--views", "front,top,left"}})
         EXPECT_FALSE(contains(run(chosen).err, "lies askew")) << known.name;
     }
