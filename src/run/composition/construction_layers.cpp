@@ -98,13 +98,14 @@ Legend legend_of(std::span<const ViewResult> views) {
   return legend;
 }
 
-// Where it touches neither views nor what is around them.
+// As far below and to the left as it touches neither views nor what is around them.
 std::optional<sheet::Rectangle> place_of_legend(const Vec2& size, const sheet::Neighbours& around,
                                                 std::span<const ViewResult> views) {
-  sheet::ConstructionRoom room{around.paper->grown(-5), around.boxes};
-  for (const ViewResult& view : views)
-    room.taken.push_back(sheet::turned_box({view.drawing.box.min, view.drawing.box.max}));
-  const auto corner = sheet::clear_position(room, size);
+  std::vector<sheet::Rectangle> taken;
+  for (const sheet::TurnedBox& box : around.boxes) taken.push_back(sheet::around(box));
+  for (const ViewResult& view : views) taken.push_back({view.drawing.box.min, view.drawing.box.max});
+  const sheet::Rectangle room = around.paper->grown(-2);  // mm
+  const auto corner = sheet::nearest_free_position(room, taken, size, room.min);
   return corner ? std::optional(sheet::Rectangle{*corner, *corner + size}) : std::nullopt;
 }
 

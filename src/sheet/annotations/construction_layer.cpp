@@ -28,7 +28,6 @@ using construction::Symbol;
 constexpr double mark_radius = 0.7;                                       // mm, of the circle around a point
 constexpr double index_height = 0.7, index_drop = 0.3, descender = 0.27;  // of the height of the symbol
 constexpr double row_step = 1.6;                                          // likewise, from one base line to the next
-constexpr double legend_apart = 2;                                        // mm between the legend and other lettering
 constexpr double leader_gap = 0.6;                                        // mm between a leader and its label
 constexpr double arrow_shaft = 9;                                         // mm
 constexpr int parts_of_circle = 180;
@@ -466,18 +465,6 @@ std::optional<std::array<Vec2, 2>> clipped(const construction::Line& line, const
         "what is clipped is a part of the line");
   const Vec2 end = line.extent == Extent::segment && to == length ? line.to : line.from + to * direction;
   return std::array<Vec2, 2>{from == 0 ? line.from : line.from + from * direction, end};
-}
-
-std::optional<Vec2> clear_position(const ConstructionRoom& room, const Vec2& size) {
-  constexpr double step = 4;  // mm
-  const Vec2 last = room.area.max - size;
-  for (double y = room.area.min.y; y <= last.y; y += step)
-    for (double x = room.area.min.x; x <= last.x; x += step) {
-      const TurnedBox box = turned_box(Rectangle{{x, y}, Vec2(x, y) + size}.grown(legend_apart));
-      const auto touches = [&box](const TurnedBox& other) { return overlap(box, other); };
-      if (std::none_of(room.taken.begin(), room.taken.end(), touches)) return Vec2(x, y);
-    }
-  return std::nullopt;
 }
 
 std::string distance_text(double millimetres) {

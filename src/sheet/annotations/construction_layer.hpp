@@ -45,9 +45,6 @@ Rectangle box_of(const construction::Figure& figure, const Rectangle& ink, doubl
 /// The part of a line in the area.
 std::optional<std::array<Vec2, 2>> clipped(const construction::Line& line, const Rectangle& area);
 
-/// The lower left corner for a box of this size in the room, as far below and to the left as it touches nothing.
-std::optional<Vec2> clear_position(const ConstructionRoom& room, const Vec2& size);
-
 /// "512 mm", "1.25 m", "1000000 km"
 std::string distance_text(double millimetres);
 
