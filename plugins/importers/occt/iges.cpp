@@ -62,7 +62,10 @@ Model read_iges(const std::string& path, const Beside& beside, epura::plugin::Si
   reader.SetLayerMode(false);
   if (reader.ReadFile(path.c_str()) != IFSelect_RetDone)
     throw std::runtime_error("the file is cut off or damaged: its sections could not be read");
-  if (!reader.IGESModel().IsNull()) align_arcs(reader.IGESModel());
+  if (!reader.IGESModel().IsNull()) {
+    combine_matrices(reader.IGESModel());
+    align_arcs(reader.IGESModel());
+  }
   const Handle(Stage) stage = new Stage(sink, share_of_reading / 4, share_of_reading);
   Handle(TDocStd_Document) document = new TDocStd_Document("BinXCAF");
   reader.Transfer(document, stage->Start());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "iges_arcs.hpp"
 
+#include <IGESData_TransfEntity.hxx>
 #include <IGESGeom_CircularArc.hxx>
 #include <IGESGeom_ConicArc.hxx>
 #include <IGESGeom_TransformationMatrix.hxx>
@@ -10,6 +11,9 @@
 #include <gp_GTrsf.hxx>
 #include <gp_Pnt2d.hxx>
 #include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace occt {
 
@@ -62,8 +66,8 @@ std::optional<Turn> turn_to_x(const Conic& conic, const gp_Pnt2d& start) {
   return std::nullopt;
 }
 
-// The matrix of an arc, of which `turn` is the first part; the last one reverses z if it is mirrored.
-Handle(IGESGeom_TransformationMatrix) matrix_of(const gp_GTrsf& place, const Turn& turn, double z) {
+// The values of a matrix of which `turn` is the first part, and reverses the z axis if z is -1.
+Handle(TColStd_HArray2OfReal) values_of(const gp_GTrsf& place, const Turn& turn, double z) {
   const double first[3][3]{{turn.cosine, -turn.sine, 0}, {turn.sine, turn.cosine, 0}, {0, 0, z}};
   const Handle(TColStd_HArray2OfReal) values = new TColStd_HArray2OfReal(1, 3, 1, 4);
   for (int row = 1; row <= 3; ++row) {
@@ -74,12 +78,35 @@ Handle(IGESGeom_TransformationMatrix) matrix_of(const gp_GTrsf& place, const Tur
     }
     values->SetValue(row, 4, place.Value(row, 4));
   }
-  const Handle(IGESGeom_TransformationMatrix) matrix = new IGESGeom_TransformationMatrix;
-  matrix->Init(values);
-  return matrix;
+  return values;
+}
+
+// That of a matrix, and of those that it refers to in turn.
+gp_GTrsf whole_place(const Handle(IGESData_TransfEntity) & matrix, int most) {
+  gp_GTrsf place = matrix->Value();
+  Handle(IGESData_TransfEntity) next = matrix;
+  for (int count = 0; next->HasTransf(); ++count) {
+    if (count == most) throw std::runtime_error("transformation matrices (124) refer to one another");
+    next = next->Transf();
+    place.PreMultiply(next->Value());
+  }
+  return place;
 }
 
 }  // namespace
+
+void combine_matrices(const Handle(IGESData_IGESModel) & model) {
+  std::vector<std::pair<Handle(IGESGeom_TransformationMatrix), gp_GTrsf>> combined;
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto matrix = Handle(IGESGeom_TransformationMatrix)::DownCast(model->Entity(i));
+    if (!matrix.IsNull() && matrix->HasTransf())
+      combined.emplace_back(matrix, whole_place(matrix, model->NbEntities()));
+  }
+  for (const auto& [matrix, place] : combined) {
+    matrix->Init(values_of(place, Turn{}, 1));
+    matrix->InitTransf(nullptr);
+  }
+}
 
 void align_arcs(const Handle(IGESData_IGESModel) & model) {
   for (int i = 1; i <= model->NbEntities(); ++i) {
@@ -87,7 +114,7 @@ void align_arcs(const Handle(IGESData_IGESModel) & model) {
     const auto circle = Handle(IGESGeom_CircularArc)::DownCast(entity);
     const auto conic = Handle(IGESGeom_ConicArc)::DownCast(entity);
     if (circle.IsNull() && conic.IsNull()) continue;
-    const double z = entity->CompoundLocation().VectorialPart().Determinant() < 0 ? -1 : 1;
+    const double z = entity->Location().VectorialPart().Determinant() < 0 ? -1 : 1;
     Conic curve;
     std::optional<Turn> turn = Turn{};
     if (!conic.IsNull()) {
@@ -95,7 +122,8 @@ void align_arcs(const Handle(IGESData_IGESModel) & model) {
       turn = turn_to_x(curve, conic->StartPoint());
     }
     if (!turn || (z > 0 && turn->cosine == 1)) continue;
-    const Handle(IGESGeom_TransformationMatrix) matrix = matrix_of(entity->CompoundLocation(), *turn, z);
+    const Handle(IGESGeom_TransformationMatrix) matrix = new IGESGeom_TransformationMatrix;
+    matrix->Init(values_of(entity->Location(), *turn, z));
     if (!circle.IsNull())
       circle->Init(z * circle->ZPlane(), circle->Center().XY(), circle->StartPoint().XY(), circle->EndPoint().XY());
     if (!conic.IsNull()) {

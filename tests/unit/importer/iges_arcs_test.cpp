@@ -145,7 +145,8 @@ TEST(IgesArcs, MatricesMirrorThem) {
     }
 }
 
-// A quarter of an ellipse along y, which one matrix turns by a quarter about z, and the next one mirrors and moves.
+// A quarter of an ellipse along y, and its chord, which one matrix turns by a quarter about z, and the next one mirrors
+// and moves.
 TEST(IgesArcs, MatricesReferToMatrices) {
   for (const double way : {1.0, -1.0}) {
     const Entity outer{124, way < 0 ? 1 : 0, {way, 0, 0, 5, 0, 1, 0, 6, 0, 0, 1, 7}};
@@ -154,6 +155,8 @@ TEST(IgesArcs, MatricesReferToMatrices) {
     const Vec3 start(5, 16, 10), end(5 - 20 * way, 6, 10);
     SCOPED_TRACE(way);
     expect_seen(seen_of({outer, inner, arc}), glm::min(start, end), glm::max(start, end), 24.2211);
+    const Entity line{110, 0, {10, 0, 3, 0, 20, 3}, 2};
+    expect_seen(seen_of({outer, inner, line}), glm::min(start, end), glm::max(start, end), std::sqrt(500.0));
   }
 }
 
