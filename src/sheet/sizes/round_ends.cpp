@@ -72,9 +72,10 @@ std::vector<int> count_tangents(const DimensionSubject& subject) {
   return counts;
 }
 
-// The nose of a cam: of less than half a turn, and nothing reaches farther. Between slopes: a rounded corner beside a
-// face along an axis of the world has a theoretical corner.
+// The nose of a cam: of a quarter to half a turn, and nothing reaches farther. Rounded corners of a rectangle, which
+// turn a quarter, and those beside a face along an axis of the world have a theoretical corner.
 bool is_nose(const RoundEnd& end, const DimensionSubject& subject) {
+  if (end.half <= 45 + slack_degrees) return false;
   bool is_at_end = false;
   for (const int along : {0, 1, 2})
     for (const int side : {0, 1}) {

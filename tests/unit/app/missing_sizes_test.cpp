@@ -236,6 +236,19 @@ TEST_F(MissingSizes, OfPartsBetweenSlopesAreGivenAlongTheirMiddle) {
   }
 }
 
+// More of its area is in slanted slots than in its rim, which tells how it lies.
+TEST_F(MissingSizes, OfPlatesWithSlantedSlotsAreGivenAlongTheirRim) {
+  Plate plate(6);
+  for (const double x : {0.0, 16.0, 32.0, 48.0, 64.0, 80.0}) {
+    const Loop slot = turned(square({x - 4, 18.5}, {24, 3}), {x + 8, 20}, 60);
+    plate.cell(square({x, 0}, {16, 40}), {{slot, 6}, {slot, 0}});
+  }
+  const Outcome found =
+      epura({"lint", folder.file("part.obj", plate.obj()), "--views", "auto", "--dimensions", "auto"}, folder / "");
+  EXPECT_FALSE(contains(found.err, "lies askew")) << found.err;
+  EXPECT_EQ(proposed_transform(found.out), "") << found.out;
+}
+
 // The file itself, about z by degrees.
 std::string turned_about_z(const std::string& obj, double angle) {
   std::istringstream lines(obj);
