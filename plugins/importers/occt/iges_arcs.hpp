@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arcs and matrices of IGES that Open CASCADE 7.6.3 would read as others (findings/occt-iges-conics.sh and
-// findings/occt-iges-mirrored-arcs.sh).
+// Arcs and matrices of IGES that Open CASCADE 7.6.3 would read as others (findings/occt-iges-conics.sh,
+// findings/occt-iges-mirrored-arcs.sh and findings/occt-iges-nested-matrices.sh).
 #pragma once
 
 #include <IGESData_IGESModel.hxx>
