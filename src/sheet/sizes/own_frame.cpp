@@ -66,7 +66,7 @@ bool has(const Directions& directions, double area, const Vec3& direction) {
 struct Share {
   double area = 0;
   int faces = 0;
-  int axes = 0;  ///< along which faces lie
+  std::array<bool, 3> axes{};  ///< along which faces lie
 };
 
 // The area of faces that mirror each other in a plane of the frame counts half: an angle gives what lengths would.
@@ -78,7 +78,7 @@ Share along_axes_of(const Mat3& frame, const Directions& directions) {
       const Vec3 mirrored = glm::reflect(one.along, frame[axis]);
       if (features::are_parallel(one.along, frame[axis])) {
         share = 1;
-        ++all.axes;  // directions are there once
+        all.axes[static_cast<std::size_t>(axis)] = true;
       }
       if (share == 0 && !features::are_parallel(one.along, mirrored) && has(directions, one.area, mirrored))
         share = 0.5;
@@ -86,6 +86,7 @@ Share along_axes_of(const Mat3& frame, const Directions& directions) {
     all.area += share * one.area;
     if (share > 0) all.faces += one.faces;
   }
+  check(all.faces >= std::ranges::count(all.axes, true), "along an axis lies a face");
   return all;
 }
 
@@ -140,7 +141,7 @@ std::optional<Mat4> turn_to_own_frame(const world::World& world) {
   if (!part) return std::nullopt;
   const Directions directions = directions_of(part->faces);
   const Share as_it_lies = along_axes_of(Mat3(1), directions);
-  if (as_it_lies.axes > 1) return std::nullopt;
+  if (std::ranges::count(as_it_lies.axes, true) > 1) return std::nullopt;
   double whole = 0;
   for (const surfaces::PartFace& face : part->faces) whole += face.area;
   std::optional<Mat3> best;
