@@ -169,9 +169,15 @@ void judge_of_kind(Verdict& verdict, const NotedText& note, const OtherTexts& gi
   if (note.kind == NotedKind::holes || note.gives_thread() || (note.kind == NotedKind::none && is_of_holes))
     return judge_holes(verdict, note, given, walls, world, notation);
   if (size == nullptr) return verdict.doubt("a text without a size");
-  const bool is_slope = std::ranges::any_of(note.all_understood(), [](const NotedElement& one) {
+  // "2×45°" and "2×2", but not the sides of a block.
+  const auto is_second = [](const NotedElement& one) {
     return one.role == NotedRole::angle || one.role == NotedRole::length;
-  });
+  };
+  const auto is_other_side = [size](const NotedElement& one) {
+    return one.role == NotedRole::length && one.least != size->least;
+  };
+  const bool is_slope = std::ranges::any_of(note.all_understood(), is_second) &&
+                        std::ranges::none_of(note.all_understood(), is_other_side);
   if (note.kind == NotedKind::fillets) return judge_fillets(verdict, *size, given, walls, world, notation);
   if (note.kind == NotedKind::chamfers || (note.kind == NotedKind::none && is_slope)) {
     const EqualLengths equal(walls.parts(), world, walls.slack());

@@ -321,7 +321,8 @@ TEST_F(JudgedNotes, WithoutLeadersAreOfThreadsLengthsAndThickness) {
 }
 
 TEST_F(JudgedNotes, ThatNobodyUnderstandsAreTold) {
-  expect("not judged", {"Mass 0.4 kg", "all ribs 12 thick", "Dicke 60", "60 between supports"});
+  expect("not judged",
+         {"Mass 0.4 kg", "all ribs 12 thick", "Dicke 60", "60 between supports", "80 × 60 × 12", "80 x 80 x 12"});
   expect("", {"ISO 2768-mK", "deburred"});
 }
 
