@@ -16,6 +16,7 @@
 #include "compare/comparison.hpp"
 #include "output/format.hpp"
 #include "pipeline/draw_scene.hpp"
+#include "pipeline/read_models.hpp"
 #include "pipeline/targets.hpp"
 #include "scene/choices.hpp"
 #include "sheet/lettering.hpp"
@@ -28,7 +29,8 @@ namespace {
 using compare::Change;
 using compare::Difference;
 
-constexpr double tolerance = 1e-3;  // mm, as that of `epura compare`
+// mm: facets of parts of different sizes are divided differently.
+constexpr double tolerance = 2 * pipeline::usual_facets;
 constexpr const char* revise_option = "--revise";
 
 // The sheets as they would be written, and their requirements.
@@ -202,7 +204,9 @@ bool mark_revision(Revising revising, const pipeline::RunOptions& options, scene
                    pipeline::DrawnScene& drawn, const pipeline::Messages& messages) {
   revising.older.revisions = scene.revisions;
   use_sheets(drawn, revising.older);
-  const pipeline::DrawnScene older = draw_unjudged(revising.older, options);
+  pipeline::RunOptions as_new = options;
+  if (!options.max_error) as_new.precision = pipeline::precision_of(scene);
+  const pipeline::DrawnScene older = draw_unjudged(revising.older, as_new);
   const compare::Comparison comparison = compare::compare(pictures_of(older), pictures_of(drawn), tolerance);
   const std::size_t clouds = add_clouds(drawn.sheets, changes_of(comparison, drawn.sheets.size()), revising.revision);
   if (clouds == 0 && comparison.requirements.empty()) {

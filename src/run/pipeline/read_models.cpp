@@ -229,23 +229,26 @@ Mat4 place_of(const scene::ModelDescription& model, const importer::ReadModel& r
   return place;
 }
 
-Reading reading_of(const scene::SceneDescription& scene, const RunOptions& options, double facets) {
-  importer::ReadOptions read{.plugin_path = options.plugin_path,
-                             .relative_tolerance = 0,
-                             .threads = options.threads,
-                             .is_confined = options.sandbox != Sandbox::off,
-                             .allow_outside = options.allow_outside};
+FacetPrecision precision_of(const scene::SceneDescription& scene, double facets) {
+  FacetPrecision precision;
   for (const scene::ViewDescription& view : scene.views) {
     const scene::ScaleChoice scale = scale_of(scene, view);
-    if (scale.fixed) {
-      const double tolerance = facets / *scale.fixed;
-      read.tolerance = read.tolerance > 0 ? std::min(read.tolerance, tolerance) : tolerance;
-    } else {
-      const double tolerance = facets / paper_for(scene, view);
-      read.relative_tolerance = read.relative_tolerance > 0 ? std::min(read.relative_tolerance, tolerance) : tolerance;
-    }
+    const double tolerance = facets / (scale.fixed ? *scale.fixed : paper_for(scene, view));
+    double& least = scale.fixed ? precision.tolerance : precision.relative_tolerance;
+    least = least > 0 ? std::min(least, tolerance) : tolerance;
   }
-  return {std::move(read), options.kept_models};
+  return precision;
+}
+
+Reading reading_of(const scene::SceneDescription& scene, const RunOptions& options, double facets) {
+  const FacetPrecision precision = options.precision.value_or(precision_of(scene, facets));
+  return {{.plugin_path = options.plugin_path,
+           .tolerance = precision.tolerance,
+           .relative_tolerance = precision.relative_tolerance,
+           .threads = options.threads,
+           .is_confined = options.sandbox != Sandbox::off,
+           .allow_outside = options.allow_outside},
+          options.kept_models};
 }
 
 double part_of_drawings(const scene::SceneDescription& scene, double error) {

@@ -27,6 +27,9 @@ inline constexpr double usual_facets = 0.02;
 
 /// The precision that the drawings need so that facets of imported surfaces are off by no more than `facets` mm on
 /// paper: from the given scales, otherwise from the paper on which the drawings must fit.
+FacetPrecision precision_of(const scene::SceneDescription& scene, double facets = usual_facets);
+
+/// With the precision of the options, or that which the drawings need.
 Reading reading_of(const scene::SceneDescription& scene, const RunOptions& options, double facets = usual_facets);
 
 /// Returns which part of the largest drawing, on the paper that it must fit, an error in mm is at least; 0 if no view

@@ -48,16 +48,22 @@ namespace epura::pipeline {
 
 struct KeptModels;
 
+/// How far facets of imported surfaces may be off: in mm, and as a part of the size of the model; 0 for no bound.
+struct FacetPrecision {
+  double tolerance = 0, relative_tolerance = 0;
+};
+
 struct RunOptions {
   std::vector<std::filesystem::path> plugin_path;        ///< more folders with projection plugins
   std::vector<projection::ProjectionEntry> projections;  ///< of the calling program, by name before those of plugins
   Sandbox sandbox = Sandbox::automatic;
   bool allow_outside = false;  ///< scene files and models may name files outside their folders
   Visibility visibility = Visibility::exact;
-  std::optional<double> max_error;  ///< mm; no line of a view may be farther from the part
-  double writing_error = 0;         ///< mm; of the files that will be written
-  std::optional<double> contact;    ///< world length
-  std::optional<double> arcs;       ///< tolerance, mm; nothing: lines stay straight
+  std::optional<double> max_error;          ///< mm; no line of a view may be farther from the part
+  double writing_error = 0;                 ///< mm; of the files that will be written
+  std::optional<FacetPrecision> precision;  ///< instead of that which the scales and papers ask for
+  std::optional<double> contact;            ///< world length
+  std::optional<double> arcs;               ///< tolerance, mm; nothing: lines stay straight
   bool centre_lines = false;
   std::vector<explain::EdgeQuestion> why;  ///< edges to explain
   std::optional<DumpTable> dump;

@@ -68,6 +68,15 @@ TEST_F(Revise, TheTableSaysWhichRequirementsHaveChanged) {
   EXPECT_FALSE(contains(svg(), ">...<"));
 }
 
+// The older one is drawn at a given scale, which asks for other facets.
+TEST_F(Revise, EqualVersionsOfRoundPartsHaveNoRevision) {
+  const std::string part = EPURA_TEST_SAMPLES "/step/clamp.step";
+  const Outcome drawn = epura({"draw", part, "--dimensions", "auto", "--revise", part, "-o", "a.svg"}, folder_ / "");
+  if (contains(drawn.err, "install the package")) GTEST_SKIP() << "there is no importer of STEP";
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+  EXPECT_TRUE(contains(drawn.err, "nothing differs from " + part + ": no revision is marked")) << drawn.err;
+}
+
 TEST_F(Revise, EqualVersionsHaveNoRevision) {
   const Outcome drawn = draw({"new.obj", "--revise", "new.obj"});
   EXPECT_EQ(drawn.code, 0) << drawn.err;
