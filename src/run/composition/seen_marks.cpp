@@ -57,12 +57,14 @@ FaceView::FaceView(std::string name, projection::Projection projection, const wo
       projection_(std::move(projection)),
       world_(world),
       slack_(depth_slack * glm::length(world.box.size())) {
-  order_.resize(world_.triangles.size());
-  std::iota(order_.begin(), order_.end(), std::size_t{0});
-  search::order_by_halving(order_.begin(), order_.end(), [this](std::size_t t) {
+  std::vector<Vec2> places(world_.triangles.size());  // three times the centres
+  for (std::size_t t = 0; t < places.size(); ++t) {
     const Corners page = corners_of(t);
-    return Vec2(page[0] + page[1] + page[2]);
-  });
+    places[t] = Vec2(page[0] + page[1] + page[2]);
+  }
+  order_.resize(places.size());
+  std::iota(order_.begin(), order_.end(), std::size_t{0});
+  search::order_by_halving(order_.begin(), order_.end(), [&places](std::size_t t) { return places[t]; });
   tree_ = search::BoundsTree<3>(order_.size(), [this](std::size_t i) {
     const Corners page = corners_of(order_[i]);
     const auto [left, right] = std::minmax({page[0].x, page[1].x, page[2].x});
