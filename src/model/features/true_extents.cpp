@@ -161,7 +161,7 @@ class ExtentFinder {
         of_flat_(world.points.size()) {
     for (const world::Placed& placed : world.models) parts_.push_back(world::place_part(placed));
     const Box box = box_of_faces(world);
-    for (int end = 0; end < 6; ++end) farthest_[end] = glm::dot(direction_of(end), end < 3 ? box.min : box.max);
+    for (int end = 0; end < 6; ++end) farthest_[end] = towards(end, end < 3 ? box.min : box.max);
     for (int model = 0; model < static_cast<int>(parts_.size()); ++model) add_model(model);
     for (const Interrupted& one : interrupted_) add_interrupted(one);
   }
@@ -185,6 +185,9 @@ class ExtentFinder {
     return direction;
   }
 
+  /// How far a point lies in the direction of an end.
+  static double towards(int end, const Vec3& point) { return end < 3 ? -point[end] : point[end - 3]; }
+
   [[nodiscard]] std::vector<Vec3> points_at(int end) const {
     std::vector<char> taken(world_.points.size(), 0);
     for (int model = 0; model < static_cast<int>(parts_.size()); ++model)
@@ -192,7 +195,7 @@ class ExtentFinder {
         const int face = parts_[model] ? parts_[model]->face_of_triangle[t - world_.first_triangle[model]] : -1;
         const double below = same_point * size_ + (face >= 0 ? deviation_of(parts_[model]->faces[face]) : 0);
         for (const int v : world_.triangles[t])
-          if (glm::dot(direction_of(end), world_.points[v]) >= farthest_[end] - below) taken[v] = 1;
+          if (towards(end, world_.points[v]) >= farthest_[end] - below) taken[v] = 1;
       }
     std::vector<Vec3> points;
     for (std::size_t v = 0; v < taken.size(); ++v)
@@ -235,7 +238,7 @@ class ExtentFinder {
       for (const int v : round[p].vertices) {
         if (of_round_[v] == 0) of_round_[v] = first_interrupted + static_cast<int>(interrupted_.size());
         for (int end = 0; end < 6; ++end)
-          found.farthest[end] = std::max(found.farthest[end], glm::dot(direction_of(end), world_.points[v]));
+          found.farthest[end] = std::max(found.farthest[end], towards(end, world_.points[v]));
       }
     }
     interrupted_.push_back(found);
@@ -253,32 +256,35 @@ class ExtentFinder {
         if (number >= 0 && world::is_round(parts_[model]->faces[number].surface.kind)) faces[t - first] = number;
       }
     }
-    for (int t = first; t < last; ++t)
-      for (int end = 0; end < 6; ++end) add_vertices(t, faces[t - first] < 0, end);
+    for (int t = first; t < last; ++t) add_vertices(t, faces[t - first] < 0);
     for (int t = first; t < last; ++t)
       if (const int face = faces[t - first]; face >= 0) add_facet(parts_[model]->faces[face], turned[face] != 0, t);
   }
 
   // The corners of a triangle that count themselves. On the rims of round faces, those of planes across the direction
   // do: of flats.
-  void add_vertices(int triangle, bool is_plane, int end) {
-    const Vec3 direction = direction_of(end);
+  void add_vertices(int triangle, bool is_plane) {
     const Triangle corners = corners_of(world_, triangle);
     const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
-    const bool is_flat =
-        is_plane && glm::length(normal - glm::dot(normal, direction) * direction) <= parallel * glm::length(normal);
-    for (int k = 0; k < 3; ++k) {
-      const int vertex = world_.triangles[triangle][k], mark = of_round_[vertex];
-      if (is_flat) of_flat_[vertex][end % 3] = true;
-      if (mark == whole && !is_flat) continue;
-      const double value = glm::dot(direction, corners[k]);
-      if (mark >= first_interrupted) {
-        Interrupted& face = interrupted_[mark - first_interrupted];
-        if (is_across(face.face->surface.axis, direction) && !is_flat) continue;
-        if (value >= face.farthest[end] - same_point * size_) face.ends_flat[end] = 1;
-      }
-      add(end, {value, nullptr});
+    const double slope = parallel * glm::length(normal);
+    for (int end = 0; end < 6; ++end) {
+      const int axis = end % 3, next = (axis + 1) % 3, last = (axis + 2) % 3;
+      const bool is_flat = is_plane && glm::length(Vec2(normal[next], normal[last])) <= slope;
+      for (int k = 0; k < 3; ++k) add_vertex(world_.triangles[triangle][k], is_flat, end);
     }
+  }
+
+  void add_vertex(int vertex, bool is_flat, int end) {
+    const int mark = of_round_[vertex];
+    if (is_flat) of_flat_[vertex][end % 3] = true;
+    if (mark == whole && !is_flat) return;
+    const double value = towards(end, world_.points[vertex]);
+    if (mark >= first_interrupted) {
+      Interrupted& face = interrupted_[mark - first_interrupted];
+      if (is_across(face.face->surface.axis, direction_of(end)) && !is_flat) return;
+      if (value >= face.farthest[end] - same_point * size_) face.ends_flat[end] = 1;
+    }
+    add(end, {value, nullptr});
   }
 
   // Where a slot or a gap between teeth is, an interrupted face reaches as far as elsewhere.
@@ -297,7 +303,7 @@ class ExtentFinder {
   // a hyperbola, its cone lies beyond the flat of the hexagon.
   [[nodiscard]] bool ends_in_flat(int triangle, int end, double top) const {
     return std::ranges::count_if(world_.triangles[triangle], [&](int v) {
-             return of_flat_[v][end % 3] && glm::dot(direction_of(end), world_.points[v]) >= top - same_point * size_;
+             return of_flat_[v][end % 3] && towards(end, world_.points[v]) >= top - same_point * size_;
            }) >= 2;
   }
 
@@ -305,11 +311,10 @@ class ExtentFinder {
     const Triangle corners = corners_of(world_, triangle);
     const double rise = deviation_of(face) + same_point * size_;
     for (int end = 0; end < 6; ++end) {
-      const Vec3 direction = direction_of(end);
       double top = -HUGE_VAL;
-      for (const Vec3& corner : corners) top = std::max(top, glm::dot(direction, corner));
+      for (const Vec3& corner : corners) top = std::max(top, towards(end, corner));
       if (top + rise < farthest_[end]) continue;
-      if (const auto reach = Outward(face, direction).reach_over(corners))
+      if (const auto reach = Outward(face, direction_of(end)).reach_over(corners))
         add(end, {ends_in_flat(triangle, end, top) ? std::min(*reach, top) : *reach, &face, turned});
     }
   }
