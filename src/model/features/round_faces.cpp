@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <numeric>
 #include <optional>
 
 #include "base/angle.hpp"
@@ -59,19 +60,27 @@ struct Remains {
   int triangles = 0;
 };
 
+// The corners of triangles in the order of their vertices give each face its own once, ascending.
 std::vector<Remains> remains_of_faces(const world::World& world, int model, const world::PlacedPart& part) {
   std::vector<Remains> remains(part.faces.size());
-  const int first = world.first_triangle[model];
+  const int first = world.first_triangle[model], before = world.first_vertex[model];
+  std::vector<int> next(static_cast<std::size_t>(world.first_vertex[model + 1] - before) + 1, 0), round;
   for (int t = first; t < world.first_triangle[model + 1]; ++t) {
     const int face = part.face_of_triangle[t - first];
     if (face < 0 || !world::is_round(part.faces[face].surface.kind)) continue;
-    std::vector<int>& vertices = remains[face].vertices;
-    vertices.insert(vertices.end(), world.triangles[t].begin(), world.triangles[t].end());
+    round.push_back(t);
     ++remains[face].triangles;
+    for (const int v : world.triangles[t]) ++next[v - before + 1];
   }
-  for (Remains& some : remains) {
-    std::sort(some.vertices.begin(), some.vertices.end());
-    some.vertices.erase(std::unique(some.vertices.begin(), some.vertices.end()), some.vertices.end());
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<int> faces(3 * round.size());
+  for (const int t : round)
+    for (const int v : world.triangles[t]) faces[next[v - before]++] = part.face_of_triangle[t - first];
+  int vertex = 0;
+  for (int corner = 0; corner < static_cast<int>(faces.size()); ++corner) {
+    while (next[vertex] <= corner) ++vertex;
+    std::vector<int>& vertices = remains[faces[corner]].vertices;
+    if (vertices.empty() || vertices.back() != before + vertex) vertices.push_back(before + vertex);
   }
   return remains;
 }
