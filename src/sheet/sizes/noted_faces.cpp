@@ -181,9 +181,10 @@ bool NotedFaces::reaches(int face, const Vec3& place) const {
 // Whether a round face is perpendicular to a direction at a place.
 bool NotedFaces::is_on_round_face(const Vec3& place, const Vec3& along) const {
   for (int face = 0; face < static_cast<int>(count_); ++face) {
-    if (!world::is_round(surface(face).kind) || !reaches(face, place)) continue;
+    if (!world::is_round(surface(face).kind)) continue;
     const surfaces::Nearness near = surfaces::nearness_of(surface(face), place);
-    if (std::abs(near.distance) <= slack_ && near.normal != Vec3(0) && features::are_parallel(near.normal, along))
+    if (std::abs(near.distance) <= slack_ && near.normal != Vec3(0) && features::are_parallel(near.normal, along) &&
+        reaches(face, place))
       return true;
   }
   return false;
