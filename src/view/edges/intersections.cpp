@@ -65,13 +65,14 @@ class Crossings {
     const auto settled = [&](int t) { return is_settled[static_cast<std::size_t>(t)] != 0; };
     std::vector<int> open;
     std::ranges::remove_copy_if(candidates.triangles, std::back_inserter(open), settled);
-    const std::vector<int> of_open = apart(open, candidates.in_patches);
+    std::vector<int> of_open = apart(open, candidates.in_patches);
+    of_open.resize(open.size(), -1);
+    for (int& group : of_open)
+      if (group >= 0) ++group;  // group 0 has the settled ones
     std::vector<int> groups(candidates.triangles.size(), 0);
-    for (std::size_t i = 0, next = 0; i < groups.size(); ++i) {
-      if (settled(candidates.triangles[i])) continue;
-      groups[i] = of_open.empty() || of_open[next] < 0 ? -1 : of_open[next] + 1;
-      ++next;
-    }
+    auto next = of_open.begin();
+    for (std::size_t i = 0; i < groups.size(); ++i)
+      if (!settled(candidates.triangles[i])) groups[i] = *next++;
     return groups;
   }
 
