@@ -10,6 +10,7 @@
 
 #include "base/angle.hpp"
 #include "base/error.hpp"
+#include "base/nearest.hpp"
 #include "base/parallel.hpp"
 #include "edges/dihedral.hpp"
 #include "edges/flat_faces.hpp"
@@ -103,14 +104,13 @@ class Crossings {
     if (stays_apart(second, planes_[first]) || stays_apart(first, planes_[second])) return std::nullopt;
     if (!boxes_overlap(box(first), box(second))) return std::nullopt;
     Vec3 along = glm::cross(planes_[first].normal, planes_[second].normal);
-    if (glm::length(along) < rounding_part) return std::nullopt;
     if (glm::dot(along, usual_way) < 0) along = -along;
     const auto one = cut(first, planes_[second]);
     if (!one) return std::nullopt;
     const auto two = cut(second, planes_[first]);
     if (!two) return std::nullopt;
     const auto common = overlap(*one, *two, glm::normalize(along));
-    if (!common) return std::nullopt;
+    if (!common || !has(first, *common) || !has(second, *common)) return std::nullopt;
     const double angle = std::asin(std::min(glm::length(along), 1.0)) * degrees;
     return FaceCrossing{{denormalised(common->ends[0]), denormalised(common->ends[1])}, {first, second}, angle};
   }
@@ -206,6 +206,20 @@ class Crossings {
     const Vec3 to = at(one.ends[1]) <= at(two.ends[1]) ? one.ends[1] : two.ends[1];
     if (!(at(to) - at(from) > contact_)) return std::nullopt;
     return Piece{{from, to}};
+  }
+
+  // Whether the middle of a piece in the plane of a triangle lies in the triangle. A corner within contact of the other
+  // plane may be far from the line in which nearly parallel planes meet: then two segments are not of one line.
+  [[nodiscard]] bool has(int triangle, const Piece& piece) const {
+    const auto& c = world_.triangles[triangle];
+    const Vec3 middle = (piece.ends[0] + piece.ends[1]) / 2.0;
+    bool is_inside = true;
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 &from = point(c[i]), &to = point(c[(i + 1) % 3]);
+      if (distance_to_segment(middle, from, to) <= contact_) return true;
+      is_inside &= glm::dot(glm::cross(planes_[triangle].normal, to - from), middle - from) >= 0;
+    }
+    return is_inside;
   }
 
   const world::World& world_;

@@ -23,8 +23,7 @@ inline constexpr double determinant_rounding = 9 * 0x1p-53;
 inline constexpr double normal_rounding = 0x1p-49;
 inline constexpr double angle_rounding = 1e-6;  ///< degrees: of an N-sided prism, all or no edges are creases at 360/N
 inline constexpr double place_rounding = 0x1p-40;  ///< relative: a vertex of a cut farther off its edge was moved
-/// The same of bends (curvatures times a factor); planes at less than this sine (6e-8 degrees) have no reliable line in
-/// common.
+/// The same of bends (curvatures times a factor).
 using refine::rounding_part;
 inline constexpr double min_contact = 1e-12;  ///< world: beside smaller contacts, rounding of points matters
 

@@ -75,6 +75,14 @@ TEST(Intersections, HaveNoTrianglesLowerThanContact) {
   EXPECT_FALSE(is_low(0.26));
 }
 
+// Two nearly level triangles, 0.12 apart: each has a corner within contact of the plane of the other, far from the line
+// in which the planes meet.
+TEST(Intersections, LieInBothTriangles) {
+  const Shape one{{{1.58, 0.78, 0.011}, {3.26, 2.91, -0.002}, {2.32, 1.33, 0.021}}, {{0, 1, 2}}, {}};
+  const Shape two{{{1.88, 0.33, 0.092}, {2.06, 0.9, 0.042}, {4.49, 2.71, -0.08}}, {{0, 1, 2}}, {}};
+  EXPECT_TRUE(crossings_of({one, two}, 0.02).empty());
+}
+
 // Upright triangles in two directions, of which each crosses all of the other direction.
 edges::FaceCrossings crossings_of_lattice(int lines) {
   Shape lattice;
