@@ -84,18 +84,18 @@ struct Features {
   [[nodiscard]] Vec3 leaving(End end) const {
     return glm::normalize(placed.point(vertex(other(end))) - placed.point(vertex(end)));
   }
-  void pair_up(std::span<const End> ends, double max_turn);
+  void pair_up(std::span<const End> ends, double min_straightness);
   [[nodiscard]] FeatureLine follow(End start, std::vector<char>& used) const;
 };
 
-// Pairs edges in order of straightness.
-void Features::pair_up(std::span<const End> ends, double max_turn) {
+// Pairs edges in order of straightness, the cosine of their turn.
+void Features::pair_up(std::span<const End> ends, double min_straightness) {
   if (ends.size() > max_at_a_vertex) return;
   std::vector<std::tuple<double, End, End>> pairs;
   for (std::size_t i = 0; i < ends.size(); ++i)
     for (std::size_t j = i + 1; j < ends.size(); ++j) {
       const double straightness = -glm::dot(leaving(ends[i]), leaving(ends[j]));
-      if (straightness >= portable_cos(max_turn)) pairs.emplace_back(-straightness, ends[i], ends[j]);
+      if (straightness >= min_straightness) pairs.emplace_back(-straightness, ends[i], ends[j]);
     }
   std::sort(pairs.begin(), pairs.end());
   for (const auto& [order, a, b] : pairs) {
@@ -145,9 +145,10 @@ Features find_features(const PlacedMesh& placed, double crease_angle) {
 std::vector<FeatureLine> find_feature_lines(const PlacedMesh& placed, double crease_angle, double max_turn) {
   Features features = find_features(placed, crease_angle);
   const std::vector<End> ends = ends_by_vertex(features);
+  const double min_straightness = portable_cos(max_turn);
   for (std::size_t begin = 0, end = 0; begin < ends.size(); begin = end) {
     while (end < ends.size() && features.vertex(ends[end]) == features.vertex(ends[begin])) ++end;
-    features.pair_up(std::span(ends).subspan(begin, end - begin), max_turn);
+    features.pair_up(std::span(ends).subspan(begin, end - begin), min_straightness);
   }
   std::vector<FeatureLine> lines;
   std::vector<char> used(placed.mesh.edges.size(), 0);
