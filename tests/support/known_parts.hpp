@@ -7,6 +7,7 @@
 #include <functional>
 #include <map>
 #include <numbers>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -42,6 +43,22 @@ inline Loop slot(const Vec2& centre, double radius, double length) {
     loop.push_back(centre + Vec2(half == 0 ? length / 2 : -length / 2, 0) + radius * Vec2(cosine(angle), sine(angle)));
   }
   return loop;
+}
+
+/// An OBJ file, turned about z by degrees.
+inline std::string turned_about_z(const std::string& obj, double angle) {
+  std::istringstream lines(obj);
+  std::string turned;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream words(line);
+    std::string key;
+    Vec3 p{0};
+    if (words >> key >> p.x >> p.y >> p.z; key == "v")
+      line = "v " + format_number(cosine(angle) * p.x - sine(angle) * p.y) + " " +
+             format_number(sine(angle) * p.x + cosine(angle) * p.y) + " " + format_number(p.z);
+    turned += line + "\n";
+  }
+  return turned;
 }
 
 /// Polygons with shared corners, written as OBJ.

@@ -168,6 +168,7 @@ struct DimensionDescription {
   std::optional<StatedValue> stated{};          ///< instead of the measured value; not in scene files
   bool is_exact = false;                        ///< theoretically, which a frame says; not in scene files
   std::string requirement{};                    ///< of a model file, by its id, that this draws; not in scene files
+  std::string of_file{};  ///< auto: the option whose anchor is in the coordinates of the first model's file
 };
 
 template <>

@@ -93,7 +93,9 @@ void add_dimensions(scene::SceneDescription& scene, const DrawOptions& options) 
   dimension.type = {overall ? DimensionType::overall : DimensionType::automatic, option.where};
   if (*option == AutomaticDimensions::hole_table) dimension.holes = {HoleDimensions::table, option.where};
   dimension.arrangement = options.arrangement;
-  if (options.datum.given()) dimension.anchors.push_back(*options.datum);
+  if (!options.datum.given()) return;
+  dimension.anchors.push_back(*options.datum);
+  dimension.of_file = options.datum.where;
 }
 
 }  // namespace

@@ -152,9 +152,8 @@ void Run::note(const ViewResult& result) {
   warn_about(messages, result);
   gathered.report.plan.insert(gathered.report.plan.end(), result.plan.begin(), result.plan.end());
   gathered.has_lines = gathered.has_lines || !result.drawing.segments.empty();
-  if (gathered.report.tessellation && !result.drawing.projection.central)
-    gathered.report.tessellation->on_paper =
-        std::max(gathered.report.tessellation->on_paper, gathered.report.tessellation->error * result.drawing.scale);
+  if (auto& found = gathered.report.tessellation; found && !result.drawing.projection.central)
+    found->on_paper = std::max(found->on_paper, found->error * result.drawing.scale);
   if (result.error) {
     gathered.report.errors.push_back(*result.error);
     gathered.report.errors.back()[report::ErrorTerm::writing] = options.writing_error;
@@ -521,6 +520,7 @@ std::vector<FinishedSheet> Run::draw_sheets(const std::vector<SheetOfViews>& she
   const double for_views = seconds_for_views(world, seconds_now(progress), scene.views.size());
   recognise_parts(world, scene, options, gathered.report, progress.with_more_time(-for_views));
   doubt_unit(messages, scene, world, read.without_unit);
+  place_datums(scene, world);
   turn_to_own_axes(world, scene, messages);
   find_features(scene, world);
   if (!scene.requirements.empty()) state_by_features(required, scene, world);

@@ -24,6 +24,7 @@
 #include "scene/details.hpp"
 #include "scene/scene_values.hpp"
 #include "sizes/anchors.hpp"
+#include "sizes/datums.hpp"
 #include "surfaces/numbers.hpp"
 #include "world/placed_part.hpp"
 
@@ -208,7 +209,46 @@ void find_anchors_of(scene::DimensionDescription& dimension, Features& features)
   }
 }
 
+// As people write them.
+std::string words_of(const Vec3& place) {
+  constexpr int digits = 7;
+  return format_rounded(place.x, digits) + "," + format_rounded(place.y, digits) + "," +
+         format_rounded(place.z, digits);
+}
+
+Vec3 nearest_vertex(const world::World& world, const Vec3& place) {
+  Vec3 nearest(HUGE_VAL);
+  for (const auto& corners : world.triangles)
+    for (const int corner : corners)
+      if (const Vec3& point = world.points[static_cast<std::size_t>(corner)];
+          glm::distance(point, place) < glm::distance(nearest, place))
+        nearest = point;
+  return nearest;
+}
+
 }  // namespace
+
+void place_datums(scene::SceneDescription& scene, const world::World& world) {
+  for (scene::DimensionDescription& dimension : scene.dimensions) {
+    if (dimension.type.value != DimensionType::automatic) continue;
+    const bool is_of_file = !dimension.of_file.empty();
+    const Mat4 to_world = is_of_file ? world.models.front().to_world : Mat4(1);
+    for (scene::Anchor& anchor : dimension.anchors) {
+      const auto* point = std::get_if<Vec3>(&anchor);
+      if (point == nullptr) continue;
+      const Vec3 place(to_world * Vec4(*point, 1));
+      if (!sheet::is_on_models(world, place))
+        refuse_input(
+            is_of_file ? dimension.of_file : dimension.where,
+            words_of(*point) + " is not on " +
+                (world.models.size() == 1 ? world.models.front().mesh->report.name : std::string("the models")) +
+                ", so no positions can be measured from there",
+            "the nearest vertex is " + words_of(Vec3(glm::inverse(to_world) * Vec4(nearest_vertex(world, place), 1))) +
+                "; a feature may be named instead, as 'hole 1' or 'face 2' of epura info");
+      anchor = place;
+    }
+  }
+}
 
 void find_features(scene::SceneDescription& scene, const world::World& world) {
   Features features(scene, world);

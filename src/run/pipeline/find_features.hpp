@@ -14,6 +14,10 @@
 
 namespace epura::pipeline {
 
+/// Puts the datums of automatic dimensions that are points in the coordinates of a file into the world. Throws
+/// Error{input} for points that are not on the models.
+void place_datums(scene::SceneDescription& scene, const world::World& world);
+
 /// Puts points of the world in the places of features, which the scene numbers as surfaces/numbers.hpp does:
 /// - a hole: where its axis leaves the material
 /// - a face: its middle, that of a cylinder, cone, sphere or torus on its axis

@@ -55,6 +55,23 @@ double min_fold(const world::World& world, const scene::SceneDescription& scene,
                                                                                               : std::max(least, flat);
 }
 
+// Whether sizes along axes are given of a part of which nobody has chosen how it lies.
+bool may_be_turned(const scene::SceneDescription& scene) {
+  const auto is_measured = [](const scene::DimensionDescription& one) {
+    return one.type.value == DimensionType::automatic || one.type.value == DimensionType::overall;
+  };
+  const auto is_anchored = [](const scene::DimensionDescription& one) {
+    return !one.anchors.empty() && one.type.value != DimensionType::automatic;
+  };
+  const bool has_places = std::ranges::any_of(scene.dimensions, is_anchored) || !scene.sections.empty() ||
+                          !scene.details.empty() || !scene.broken_outs.empty() || !scene.revolved.empty() ||
+                          !scene.explosions.empty() || !scene.threads.empty() || !scene.callouts.empty() ||
+                          !scene.requirements.empty();
+  return std::ranges::all_of(scene.views, &scene::ViewDescription::is_automatic) && !has_places &&
+         std::ranges::any_of(scene.dimensions, is_measured) && scene.models.size() == 1 &&
+         !scene.models.front().transform.given();
+}
+
 /// How much time there is; none if there is so little that nothing would end.
 struct TimeForFaces {
   Progress until;
@@ -77,7 +94,7 @@ void recognise_parts(world::World& world, const scene::SceneDescription& scene, 
                      report::Report& report, Progress progress) {
   // Dimensions of features need faces even where folds alone identify all edges.
   std::optional<double> least;
-  const bool names_faces = dimensions_features(scene) || !scene.requirements.empty();
+  const bool names_faces = dimensions_features(scene) || !scene.requirements.empty() || may_be_turned(scene);
   if (!names_faces && !options.lint && !options.describes && scene.threads.empty())
     least = min_fold(world, scene, options);
   std::vector<std::vector<int>> wanted;  // models of one mesh
@@ -125,15 +142,7 @@ void recognise_parts(world::World& world, const scene::SceneDescription& scene, 
 }
 
 void turn_to_own_axes(world::World& world, scene::SceneDescription& scene, const Messages& messages) {
-  const bool are_chosen = std::ranges::all_of(scene.views, &scene::ViewDescription::is_automatic);
-  const auto is_anchored = [](const scene::DimensionDescription& one) { return !one.anchors.empty(); };
-  const bool has_places = std::ranges::any_of(scene.dimensions, is_anchored) || !scene.sections.empty() ||
-                          !scene.details.empty() || !scene.broken_outs.empty() || !scene.revolved.empty() ||
-                          !scene.explosions.empty() || !scene.threads.empty() || !scene.callouts.empty() ||
-                          !scene.requirements.empty();
-  if (!are_chosen || has_places || !dimensions_features(scene) || world.models.size() != 1 ||
-      scene.models.front().transform.given())
-    return;
+  if (!may_be_turned(scene)) return;
   const auto turn = sheet::turn_to_own_frame(world);
   if (!turn) return;
   scene.models.front().transform = {*turn, "--views auto"};
@@ -142,6 +151,9 @@ void turn_to_own_axes(world::World& world, scene::SceneDescription& scene, const
   auto styles = std::move(world.styles);
   world = world::make_world(std::move(world.models), wants_wires(scene));
   world.styles = std::move(styles);
+  for (scene::DimensionDescription& dimension : scene.dimensions)
+    for (scene::Anchor& datum : dimension.anchors)
+      if (auto* point = std::get_if<Vec3>(&datum)) *point = Vec3(*turn * Vec4(*point, 1));
   messages.print(world.models.front().mesh->report.name + " lies askew and is drawn along its own axes: --transform '" +
                  sheet::words_of_turn(*turn) + "'; --transform rotate:z,0 leaves it as it lies\n");
 }

@@ -21,7 +21,8 @@ void recognise_parts(world::World& world, const scene::SceneDescription& scene, 
                      report::Report& report, Progress progress);
 
 /// Turns a part that lies askew to the axes along which it is to be seen, and tells so: dimensions are along its own
-/// axes. Only where the scene refers to no place of the world, and all its views are automatic.
+/// axes, from datums that are turned with it. Only where the scene refers to no other place of the world, and all its
+/// views are automatic.
 void turn_to_own_axes(world::World& world, scene::SceneDescription& scene, const Messages& messages);
 
 }  // namespace epura::pipeline

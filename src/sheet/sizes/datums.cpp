@@ -44,7 +44,54 @@ Datum usual_datum(int axis, const features::Extent& extent, std::span<const Roun
   return {low == (own == nullptr) ? extent.from : extent.to, std::nullopt};
 }
 
+// Whether three of them meet in one point.
+bool have_corner(std::span<const Vec3> normals) {
+  std::vector<Vec3> apart;
+  for (const Vec3& normal : normals) {
+    if (apart.size() == 2 &&
+        std::abs(glm::dot(normal, glm::normalize(glm::cross(apart[0], apart[1])))) <= features::parallel)
+      continue;
+    if (apart.size() == 1 && features::are_parallel(apart[0], normal)) continue;
+    apart.push_back(normal);
+    if (apart.size() == 3) return true;
+  }
+  return false;
+}
+
+// Those at a place that somebody has written; of a corner that is rounded off, the planes that would meet there.
+std::vector<FaceOfModel> datum_faces(const HoleWalls& walls, const Vec3& place) {
+  for (const double slack : walls.written_slacks())
+    if (std::vector<FaceOfModel> found = walls.faces_at(place, slack); !found.empty()) return found;
+  for (std::size_t model = 0; model < walls.parts().size(); ++model) {
+    std::vector<FaceOfModel> planes;
+    std::vector<Vec3> normals;
+    if (!walls.parts()[model]) continue;
+    const std::vector<surfaces::PartFace>& faces = walls.parts()[model]->faces;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+      const surfaces::PartSurface& surface = faces[i].surface;
+      if (surface.kind != surfaces::SurfaceKind::plane ||
+          std::abs(glm::dot(place - surface.origin, surface.axis)) > walls.slack())
+        continue;
+      planes.push_back({model, static_cast<int>(i)});
+      normals.push_back(surface.axis);
+    }
+    check(normals.size() == planes.size(), "each plane has its normal");
+    if (have_corner(normals)) return planes;
+  }
+  return {};
+}
+
 }  // namespace
+
+bool is_on_models(const world::World& world, const Vec3& place) {
+  const HoleWalls walls(world);
+  const auto is_near = [&](int vertex) {
+    return glm::distance(world.points[static_cast<std::size_t>(vertex)], place) <= walls.slack();
+  };
+  return !datum_faces(walls, place).empty() || std::ranges::any_of(world.triangles, [&](const auto& corners) {
+    return std::ranges::any_of(corners, is_near);
+  });
+}
 
 std::array<Datum, 3> usual_datums(const DimensionSubject& subject, std::span<const RoundEnd> ends,
                                   std::span<const NamedProjection* const> views) {
@@ -73,7 +120,7 @@ ChosenDatums chosen_datums(const scene::DimensionDescription& wanted, const Dime
       if (!circle && std::abs(place[along] - end) <= walls.slack()) chosen[axis] = Datum{end, std::nullopt};
   }
   if (!circle)
-    for (const FaceOfModel& at : walls.faces_at(place, walls.slack())) {
+    for (const FaceOfModel& at : datum_faces(walls, place)) {
       const surfaces::PartSurface& surface = walls.parts()[at.model]->faces[static_cast<std::size_t>(at.face)].surface;
       const int axis = surface.kind == surfaces::SurfaceKind::plane ? features::axis_along(surface.axis) : -1;
       if (axis >= 0) chosen[static_cast<std::size_t>(axis)] = Datum{surface.origin[axis], std::nullopt};

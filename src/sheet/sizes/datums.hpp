@@ -21,6 +21,10 @@ struct Datum {
 std::array<Datum, 3> usual_datums(const DimensionSubject& subject, std::span<const RoundEnd> ends,
                                   std::span<const NamedProjection* const> views);
 
+/// Whether a place can be a datum: it is on a face, at a vertex, or where three plane faces would meet, as at a corner
+/// that is rounded off.
+bool is_on_models(const world::World& world, const Vec3& place);
+
 /// What automatic dimensions are wanted from: an axis, or along each axis of the world the plane or the end of the
 /// models at a place; nothing along axes of which that says nothing. Throws Error{input} if nothing is there.
 using ChosenDatums = std::array<std::optional<Datum>, 3>;

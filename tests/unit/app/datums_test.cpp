@@ -9,6 +9,7 @@
 #include "folder.hpp"
 #include "known_parts.hpp"
 #include "program.hpp"
+#include "sloped_parts.hpp"
 
 namespace epura::test::datums_test {
 namespace {
@@ -41,6 +42,14 @@ class Datums : public testing::Test {
   Folder folder_;
 };
 
+/// The plate with four holes ⌀8 at 22, 18 and beyond.
+std::string off_centre() {
+  return plate({40, 30}, 2, 2, 10, [](const Vec2& centre) {
+    const Vec2 off(centre.x + 2, centre.y + 3);
+    return stepped_hole({{4, 10}, {4, 0}})(off);
+  });
+}
+
 const std::vector<std::string> sizes{"80", "60", "10", "3× ⌀8", "⌀12"};
 
 std::vector<std::string> with_sizes(std::vector<std::string> places) {
@@ -55,10 +64,7 @@ TEST_F(Datums, AreTheLeftAndLowerEndsUnlessTheyAreChosen) {
 
 // All from the right and upper corner: 20 and 60 change places along x, 15 and 45 along y.
 TEST_F(Datums, MayBeACorner) {
-  folder_.file("part.obj", plate({40, 30}, 2, 2, 10, [](const Vec2& centre) {
-                 const Vec2 off(centre.x + 2, centre.y + 3);
-                 return stepped_hole({{4, 10}, {4, 0}})(off);
-               }));
+  folder_.file("part.obj", off_centre());
   const std::vector<std::string> rest{"80", "60", "10", "4× ⌀8"};
   const auto places = [&](std::vector<std::string> all) {
     all.insert(all.end(), rest.begin(), rest.end());
@@ -87,10 +93,60 @@ TEST_F(Datums, AreThereInEveryArrangement) {
         << arrangement;
 }
 
+// The part is turned to its own axes, and its datum with it: a point of its file.
+TEST_F(Datums, AreTurnedWithPartsThatLieAskew) {
+  const std::string straight = off_centre();
+  for (const double angle : {13.0, -27.0}) {
+    const Vec2 corner(cosine(angle) * 80 - sine(angle) * 60, sine(angle) * 80 + cosine(angle) * 60);
+    const std::string point = format_rounded(corner.x, 5) + "," + format_rounded(corner.y, 5) + ",10";
+    const auto lint = [&](const std::string& obj, const std::string& from) {
+      folder_.file("part.obj", obj);
+      const Outcome run =
+          epura({"lint", "part.obj", "--dimensions", "auto", "--datum", from, "-o", "x.svg"}, folder_ / "");
+      EXPECT_EQ(run.code, 0) << run.out << run.err;
+      EXPECT_EQ(contains(run.err, "lies askew"), obj != straight) << run.err;
+      return sorted(dimensions_in(read_file(folder_ / "x.svg")));
+    };
+    EXPECT_EQ(lint(turned_about_z(straight, angle), point), lint(straight, "80,60,10"));
+    EXPECT_NE(lint(straight, "80,60,10"), lint(straight, "0,0,0"));
+    lint(turned_about_z(straight, angle), "hole 4");
+  }
+}
+
+// In coordinates of the file, whatever its unit and the axis that is upright in it.
+TEST_F(Datums, ArePointsOfTheFile) {
+  for (const Words& as : {Words{"--unit", "in"}, Words{"--up", "y"}}) {
+    Words words{"lint", "part.obj", "--dimensions", "auto", "--datum", "80,60,10", "-o", "x.svg"};
+    words.insert(words.end(), as.begin(), as.end());
+    const Outcome run = epura(words, folder_ / "");
+    EXPECT_EQ(run.code, 0) << run.out << run.err;
+  }
+  EXPECT_EQ(refused({"--dimensions", "auto", "--unit", "in", "--datum", "2032,1524,254"}).code, 2);
+}
+
+// Where its sides would meet.
+TEST_F(Datums, MayBeACornerThatIsRoundedOff) {
+  const Loop corners{{0, 0}, {60, 0}, {60, 40}, {0, 40}};
+  folder_.file("part.obj", block(rounded(corners, {5, 5, 5, 5}), 8));
+  const Outcome run =
+      epura({"draw", "part.obj", "--dimensions", "auto", "--datum", "60,0,40", "-o", "x.svg"}, folder_ / "");
+  EXPECT_EQ(run.code, 0) << run.err;
+}
+
 TEST_F(Datums, NameTheirFaults) {
-  const Outcome nowhere = refused({"--dimensions", "auto", "--datum", "37,22,3"});
-  EXPECT_EQ(nowhere.code, 2);
-  EXPECT_TRUE(contains(nowhere.err, "nothing is there from which positions")) << nowhere.err;
+  // Inside the plate; beside it, in one or two of its planes.
+  for (const char* point : {"37,22,3", "90,70,10", "80,70,3", "-5,60,10"}) {
+    const Outcome nowhere = refused({"--dimensions", "auto", "--datum", point});
+    EXPECT_EQ(nowhere.code, 2) << point;
+    EXPECT_TRUE(contains(nowhere.err, "--datum: " + std::string(point) + " is not on part")) << nowhere.err;
+    EXPECT_TRUE(contains(nowhere.err, "the nearest vertex is ")) << nowhere.err;
+  }
+  EXPECT_TRUE(contains(refused({"--dimensions", "auto", "--datum", "-5,60,10"}).err, "the nearest vertex is 0,60,10"));
+  folder_.file("scene.toml",
+               "model = [{file = 'part.obj'}]\ndimension = [{type = 'auto', from = {point = [90, 70, 10]}}]\n");
+  const Outcome scene = epura({"draw", "scene.toml", "-o", "y.svg"}, folder_ / "");
+  EXPECT_EQ(scene.code, 2);
+  EXPECT_TRUE(contains(scene.err, "90,70,10 is not on part")) << scene.err;
   const Outcome unknown = refused({"--dimensions", "auto", "--datum", "hole 9"});
   EXPECT_EQ(unknown.code, 2);
   EXPECT_TRUE(contains(unknown.err, "has no hole 9")) << unknown.err;

@@ -249,22 +249,6 @@ TEST_F(MissingSizes, OfPlatesWithSlantedSlotsAreGivenAlongTheirRim) {
   EXPECT_EQ(proposed_transform(found.out), "") << found.out;
 }
 
-// The file itself, about z by degrees.
-std::string turned_about_z(const std::string& obj, double angle) {
-  std::istringstream lines(obj);
-  std::string turned;
-  for (std::string line; std::getline(lines, line);) {
-    std::istringstream words(line);
-    std::string key;
-    Vec3 p{0};
-    if (words >> key >> p.x >> p.y >> p.z; key == "v")
-      line = "v " + format_number(cosine(angle) * p.x - sine(angle) * p.y) + " " +
-             format_number(sine(angle) * p.x + cosine(angle) * p.y) + " " + format_number(p.z);
-    turned += line + "\n";
-  }
-  return turned;
-}
-
 // Nobody has chosen how it lies, so it is drawn as a draughtsman would lay it.
 TEST_F(MissingSizes, OfPartsThatLieAskewAreAlongTheirAxesInAutomaticViews) {
   for (const KnownPart& known : {plates()[0], plates()[4], wedges_with_pairs()[3]})
@@ -283,6 +267,20 @@ TEST_F(MissingSizes, OfPartsThatLieAskewAreAlongTheirAxesInAutomaticViews) {
       for (const Words& chosen : {Words{"--transform", "rotate:z,0"}, Words{"--views", "front,top,left"}})
         EXPECT_FALSE(contains(run(chosen).err, "lies askew")) << known.name;
     }
+}
+
+// Also where only its sizes as a whole are given.
+TEST_F(MissingSizes, OfPartsThatLieAskewAreAlongTheirAxesAsAWhole) {
+  for (const std::string& obj : {plates()[0].obj, block({{0, 0}, {60, 0}, {60, 40}, {0, 40}}, 8)}) {
+    const auto texts = [&](double angle) {
+      const Outcome run = epura({"draw", folder.file("part.obj", turned_about_z(obj, angle)), "--views", "auto",
+                                 "--dimensions", "overall", "-o", "x.svg"},
+                                folder / "");
+      EXPECT_EQ(contains(run.err, "lies askew"), angle != 0) << run.err;
+      return sorted(dimensions_in(read_file(folder / "x.svg")));
+    };
+    EXPECT_EQ(texts(27), texts(0));
+  }
 }
 
 // Two plates side by side, turned together.
