@@ -5,6 +5,7 @@
 
 #include "app/commands.hpp"
 #include "app/console.hpp"
+#include "app/describe.hpp"
 #include "app/draw_files.hpp"
 #include "base/error.hpp"
 #include "base/text.hpp"
@@ -55,9 +56,9 @@ std::string text_of(const sheet::RebuiltPart& part) {
 
 // As for parts whose sheets nobody has described.
 void choose_views(DrawOptions& options) {
-  if (options.models.size() == 1 && options.models.front().ends_with(".toml")) return;
+  if (is_scene_file(options.models.front())) return;
   if (options.views.empty() && options.projections.empty())
-    for (const char* name : {"front", "top", "left"}) options.views.push_back({scene::parse_request(name), "--views"});
+    options.views.push_back({scene::parse_request("auto"), "--views"});
   if (!options.dimensions.given()) options.dimensions = {AutomaticDimensions::automatic, "--dimensions"};
 }
 

@@ -20,6 +20,8 @@
 #include "importer/read_model.hpp"
 #include "pipeline/complete_scene.hpp"
 #include "pipeline/read_models.hpp"
+#include "pipeline/recognise_parts.hpp"
+#include "sizes/own_frame.hpp"
 #include "surfaces/numbers.hpp"
 
 namespace epura {
@@ -172,7 +174,13 @@ std::string views_text() {
   return text;
 }
 
-std::string scene_text(const std::string& file, const world::World& world) {
+// Of a part that lies askew: in that place all positions are along its own axes.
+std::string transform_text(const scene::Located<Mat4>& turn) {
+  if (!turn.given()) return "\n#transform = \"rotate:z,0\"\n";
+  return "\n# It lies askew in its file.\ntransform = " + toml_text(sheet::words_of_turn(*turn)) + "\n";
+}
+
+std::string scene_text(const std::string& file, const world::World& world, const scene::Located<Mat4>& turn) {
   const world::Placed& placed = world.models.front();
   const surfaces::PartFaces part = placed.part != nullptr ? *placed.part : surfaces::recognise_faces(*placed.mesh);
   const std::vector<EqualHoles> groups = groups_of(holes_in_world(placed, part));
@@ -182,9 +190,9 @@ std::string scene_text(const std::string& file, const world::World& world) {
          format_rounded(size.z, 5) + " mm, from " + triple(world.box.min) + " to " + triple(world.box.max) +
          "\n# docs/scenes.md has all keys. Lines with # and no blank are proposals: remove the #.\n\n[[model]]\nfile "
          "= " +
-         toml_text(file) + "\n#unit = \"mm\"\n#transform = \"rotate:z,0\"\n" + views_text() +
-         section_text(groups, world.box) + "\n[[dimension]]\ntype = \"auto\"\n" + holes_text(groups) +
-         faces_text(placed, part) + bodies_text(placed.mesh->report) +
+         toml_text(file) + "\n#unit = \"mm\"" + transform_text(turn) + views_text() + section_text(groups, world.box) +
+         "\n[[dimension]]\ntype = \"auto\"\n" + holes_text(groups) + faces_text(placed, part) +
+         bodies_text(placed.mesh->report) +
          "\n[[sheet]]\nsize = \"A3\"\n#scale = \"auto\"\n\n[title_block]\ntitle = " + toml_text(name) +
          "\n#owner = \"\"\n#number = \"\"\n";
 }
@@ -209,16 +217,19 @@ int new_scene(const NewSceneOptions& options) {
   const fs::path output = output_of(options, model);
   scene::SceneDescription scene;
   scene.models.emplace_back().file = {options.model, options.model};
+  scene.dimensions.emplace_back().type = {DimensionType::automatic, options.model};
   pipeline::complete_scene(scene);
   pipeline::RunOptions run;
   run.plugin_path = options.plugin_path;
-  std::vector<mesh::MeshReport> reports;
-  const world::World world =
-      pipeline::read_models(scene, pipeline::reading_of(scene, run), reports, pipeline::silent_messages(), {}).world;
+  const pipeline::Messages silent = pipeline::silent_messages();
+  report::Report report;
+  world::World world = pipeline::read_models(scene, pipeline::reading_of(scene, run), report.meshes, silent, {}).world;
+  pipeline::recognise_parts(world, scene, run, report, {});
+  pipeline::turn_to_own_axes(world, scene, silent);
   const std::string parameters = options.model.substr(model.string().size());
   const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
   const std::string file = fs::proximate(model, folder).generic_string() + parameters;
-  write_file(output, scene_text(file, world));
+  write_file(output, scene_text(file, world, scene.models.front().transform));
   std::fputs(printable(output.string() + "\n\nTo draw it:\n  epura draw " + for_shell(output.string()) + " -o " +
                        for_shell(fs::path(output).replace_extension(".pdf").string()) + "\n")
                  .c_str(),

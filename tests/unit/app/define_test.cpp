@@ -6,6 +6,7 @@
 #include "base/file.hpp"
 #include "errors.hpp"
 #include "folder.hpp"
+#include "known_parts.hpp"
 #include "program.hpp"
 #include "schema.hpp"
 
@@ -73,6 +74,13 @@ TEST_F(Define, BelievesTexts) {
 TEST_F(Define, NeedsNoOption) {
   const Outcome run = epura({"define", folder_.file("part.obj", sloped)}, folder_ / "");
   EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_TRUE(contains(run.out, "7 of 7 faces are found again")) << run.out;
+}
+
+TEST_F(Define, TurnsAPartThatLiesAskew) {
+  const Outcome run = epura({"define", folder_.file("part.obj", turned_about_z(sloped, 27))}, folder_ / "");
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  EXPECT_TRUE(contains(run.err, "lies askew")) << run.err;
   EXPECT_TRUE(contains(run.out, "7 of 7 faces are found again")) << run.out;
 }
 

@@ -4,8 +4,10 @@
 
 #include "base/file.hpp"
 #include "base/text.hpp"
+#include "drawn_texts.hpp"
 #include "errors.hpp"
 #include "folder.hpp"
+#include "known_parts.hpp"
 #include "program.hpp"
 
 namespace epura::test::new_scene_test {
@@ -49,6 +51,25 @@ TEST(NewScene, NeverOverwritesNorNamesWhatASceneMayNot) {
   const Outcome outside = epura({"new-scene", "../scene.toml", "-o", "x.toml"}, folder / "in");
   EXPECT_EQ(outside.code, 2);
   EXPECT_TRUE(contains(outside.err, "below its own folder")) << outside.err;
+}
+
+// Its positions are along its own axes, in the place where it is drawn.
+TEST(NewScene, TurnsAPartThatLiesAskew) {
+  const Folder folder;
+  const std::string straight = plates()[0].obj;
+  folder.file("straight.obj", straight);
+  folder.file("turned.obj", turned_about_z(straight, -27));
+  for (const char* name : {"straight", "turned"}) {
+    const std::string model = std::string(name) + ".obj";
+    ASSERT_EQ(epura({"new-scene", model}, folder / "").code, 0);
+    const std::string scene = read_file(folder / (std::string(name) + ".toml"));
+    EXPECT_EQ(contains(scene, "\ntransform = \"rotate:z,27\"\n"), name == std::string("turned")) << scene;
+    EXPECT_TRUE(contains(scene, ", through, along z")) << scene;
+    const Outcome drawn = epura({"lint", std::string(name) + ".toml", "-o", std::string(name) + ".svg"}, folder / "");
+    EXPECT_EQ(drawn.code, 0) << drawn.out << drawn.err;
+  }
+  EXPECT_EQ(sorted(dimensions_in(read_file(folder / "turned.svg"))),
+            sorted(dimensions_in(read_file(folder / "straight.svg"))));
 }
 
 }  // namespace
