@@ -175,6 +175,8 @@ Model read_step(const std::string& file, const Beside& beside, epura::plugin::Si
   expect_rigid_places(entities);
   const std::string faults = faults_of(entities, Fault::value);
   if (!faults.empty()) model.notes.push_back(faults);
+  const std::string parabolas = trim_parabolas_by_points(entities);
+  if (!parabolas.empty()) model.notes.push_back(parabolas);
   note_units(reader.ChangeReader(), model);
 
   const Handle(Stage) stage = new Stage(sink, share_of_reading / 4, share_of_reading);

@@ -13,6 +13,9 @@
 #include <StepData_StepModel.hxx>
 #include <StepGeom_CartesianTransformationOperator3d.hxx>
 #include <StepGeom_Direction.hxx>
+#include <StepGeom_HArray1OfTrimmingSelect.hxx>
+#include <StepGeom_Parabola.hxx>
+#include <StepGeom_TrimmedCurve.hxx>
 #include <StepRepr_MappedItem.hxx>
 #include <StepRepr_NextAssemblyUsageOccurrence.hxx>
 #include <StepRepr_RepresentationMap.hxx>
@@ -108,6 +111,12 @@ Contents contents_of(const Handle(StepData_StepModel) & model) {
   return contents;
 }
 
+bool has_point(const Handle(StepGeom_HArray1OfTrimmingSelect) & trims) {
+  return !trims.IsNull() && std::any_of(trims->begin(), trims->end(), [](const StepGeom_TrimmingSelect& trim) {
+    return !trim.CartesianPoint().IsNull();
+  });
+}
+
 // Open CASCADE says "Parameter n0.2 (vertex_geometry) : ...".
 std::string in_words(std::string_view text, Fault kind) {
   const std::size_t open = text.find('('), close = text.find(')', std::min(open, text.size()));
@@ -174,6 +183,23 @@ void expect_rigid_places(const Handle(StepData_StepModel) & model) {
                                " the shape that it places, which Open CASCADE does not: export the shape as it is, "
                                "without such a place");
   }
+}
+
+std::string trim_parabolas_by_points(const Handle(StepData_StepModel) & model) {
+  std::size_t count = 0;
+  std::string first;
+  for (int i = 1; i <= model->NbEntities(); ++i) {
+    const auto curve = Handle(StepGeom_TrimmedCurve)::DownCast(model->Value(i));
+    if (curve.IsNull() || curve->BasisCurve().IsNull()) continue;
+    if (!curve->BasisCurve()->IsKind(STANDARD_TYPE(StepGeom_Parabola))) continue;
+    if (has_point(curve->Trim1()) && has_point(curve->Trim2()))
+      curve->SetMasterRepresentation(StepGeom_tpCartesian);
+    else if (count++ == 0)
+      first = label_of(model, curve);
+  }
+  if (count == 0) return {};
+  return counted(count, "parabola") + " trimmed by parameters, first " + first +
+         ": may end elsewhere, since programs do not agree what these mean; trim by points";
 }
 
 std::string faults_of(const Handle(StepData_StepModel) & model, Fault kind) {

@@ -15,6 +15,11 @@ void expect_no_cycle(const Handle(StepData_StepModel) & model);
 /// unscaled, and turned for mirrored (findings/occt-step-scales.sh).
 void expect_rigid_places(const Handle(StepData_StepModel) & model);
 
+/// Has parabolas trimmed by their points where the file gives these: Open CASCADE 7.6.3 reads and writes parameters
+/// that are not those of ISO 10303-42 (findings/occt-step-parabolas.sh), so where others end depends on the program
+/// that wrote them. Tells of those by their number and the first; "" if there are none.
+std::string trim_parabolas_by_points(const Handle(StepData_StepModel) & model);
+
 /// A reference to an entity that is missing or has a wrong type, which Open CASCADE follows without a check; or another
 /// invalid value.
 enum class Fault { reference, value };

@@ -36,6 +36,7 @@
 #include <algorithm>
 #include <cmath>
 #include <gp_Circ.hxx>
+#include <gp_Parab.hxx>
 #include <gp_Pln.hxx>
 #include <map>
 #include <numbers>
@@ -553,6 +554,30 @@ TEST(StepImporter, WhatIsNotDrawnIsCounted) {
             notes.end());
   EXPECT_NE(std::find(notes.begin(), notes.end(), "1 layer is switched off in the file, which is not heeded"),
             notes.end());
+}
+
+std::string replaced(const std::string& text, const std::string& from, const std::string& to) {
+  return std::regex_replace(text, std::regex(from), to);
+}
+
+// A parabola of focal distance 5 that ends at (20, 20), where the parameter is 2: Open CASCADE writes and reads 20.
+TEST(StepImporter, ParabolasAreTrimmedByPoints) {
+  const Folder folder;
+  const std::string text = read_file(step_file(folder, BRepBuilderAPI_MakeEdge(gp_Parab(gp_Ax2(), 5), 0, 20).Edge()));
+  const std::string by_points = replaced(text, "PARAMETER_VALUE\\(20\\.\\)", "PARAMETER_VALUE(2.)");
+  ASSERT_NE(by_points, text);
+  const importer::ReadModel trimmed = read(folder.file("points.step", by_points));
+  EXPECT_TRUE(trimmed.mesh.report.notes.empty()) << trimmed.mesh.report.notes[0];
+  const Wires wires = wires_of(trimmed.mesh);
+  EXPECT_NEAR(wires.length, 29.58, 0.05);
+
+  const std::string by_parameters = replaced(by_points, "\\(#[0-9]+,\\s*PARAMETER_VALUE", "(PARAMETER_VALUE");
+  ASSERT_NE(by_parameters, by_points);
+  const std::vector<std::string> notes = read(folder.file("parameters.step", by_parameters)).mesh.report.notes;
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_EQ(notes[0],
+            "1 parabola trimmed by parameters, first #16: may end elsewhere, since programs do not agree what these "
+            "mean; trim by points");
 }
 
 TEST(StepImporter, ShapesOfTrianglesAreNamed) {
