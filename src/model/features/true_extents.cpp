@@ -267,11 +267,11 @@ class ExtentFinder {
     const Triangle corners = corners_of(world_, triangle);
     const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
     const double slope = parallel * glm::length(normal);
-    for (int end = 0; end < 6; ++end) {
-      const int axis = end % 3, next = (axis + 1) % 3, last = (axis + 2) % 3;
-      const bool is_flat = is_plane && glm::length(Vec2(normal[next], normal[last])) <= slope;
-      for (int k = 0; k < 3; ++k) add_vertex(world_.triangles[triangle][k], is_flat, end);
-    }
+    std::array<bool, 3> is_flat{};
+    for (int axis = 0; axis < 3 && is_plane; ++axis)
+      is_flat[axis] = glm::length(Vec2(normal[(axis + 1) % 3], normal[(axis + 2) % 3])) <= slope;
+    for (const int vertex : world_.triangles[triangle])
+      for (int end = 0; end < 6; ++end) add_vertex(vertex, is_flat[end % 3], end);
   }
 
   void add_vertex(int vertex, bool is_flat, int end) {
